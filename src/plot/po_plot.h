@@ -13,29 +13,20 @@ enum {
   PO_PLOT_WANTS = PO_WANT_CURVE | PO_WANT_PROFILE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD,
 };
 
-/* How the points of a series are drawn. The same names are those of macros in
- * reports/figures/picture.gp. NAN in a coordinate interrupts a line. */
-typedef enum {
-  PO_PLOT_EQUILIBRIA, /* all, beside a loop */
-  PO_PLOT_UNSTABLE,
-  PO_PLOT_STABLE,
-  PO_PLOT_LOADING,
-  PO_PLOT_UNLOADING,
-  PO_PLOT_JUMP_LOADING, /* arrows, each from a point to the next one */
-  PO_PLOT_JUMP_UNLOADING,
-  PO_PLOT_THEORY,
-  PO_PLOT_STEPS,
-  PO_PLOT_CURVE, /* one of several, with points and error bars */
-  PO_PLOT_TRACTION,
-  PO_PLOT_GAP, /* on the second axis of a figure; no characters */
-  PO_PLOT_LEVEL,
-  PO_PLOT_HOLDS, /* theories by whether their assumptions hold */
-  PO_PLOT_FAILS,
-  PO_PLOT_UNKNOWN,
-  PO_PLOT_FOLD,
-  PO_PLOT_PULL_OFF,
-  PO_PLOT_STYLE_COUNT
-} po_plot_style;
+/* How the points of a series are drawn: enumerator, name of the macro in
+ * reports/figures/picture.gp, character (0: only in figures). NAN in a coordinate interrupts a
+ * line. Those from PO_PLOT_HOLDS on are single points, jumps are arrows, each from a point to the
+ * next one; the gap is on the second axis, curves have error bars. */
+// clang-format off
+#define PO_PLOT_STYLES(X) \
+  X(EQUILIBRIA, "equilibria", '.') X(UNSTABLE, "unstable", '.') X(STABLE, "stable", '*') X(LOADING, "loading", '+') \
+  X(UNLOADING, "unloading", '*') X(JUMP_LOADING, "jump_loading", '|') X(JUMP_UNLOADING, "jump_unloading", '|') \
+  X(THEORY, "theory", '.') X(STEPS, "steps", '*') X(CURVE, "curve", '*') X(TRACTION, "traction", '*') X(GAP, "gap", 0) \
+  X(LEVEL, "level", '|') X(HOLDS, "holds", 'o') X(FAILS, "fails", 'x') X(UNKNOWN, "unknown", '?') X(FOLD, "fold", 'o') \
+  X(PULL_OFF, "pull_off", 'X')
+// clang-format on
+#define PO_PLOT_ENUMERATOR(key, ...) PO_PLOT_##key,
+typedef enum { PO_PLOT_STYLES(PO_PLOT_ENUMERATOR) PO_PLOT_STYLE_COUNT } po_plot_style;
 
 typedef struct {
   double x, y, error;
@@ -88,6 +79,9 @@ po_plot_panel *po_plot_add_panel(po_plot_picture *picture);
 po_plot_series *po_plot_add_series(po_plot_picture *picture, po_plot_panel *panel,
                                    po_plot_style style, const char *title);
 void po_plot_add_point(po_plot_picture *picture, po_plot_series *series, po_plot_point point);
+
+/* Returned: whether a style is that of jumps. */
+bool po_plot_is_jump(po_plot_style style);
 
 /* The axis of a dimension, in SI units with the prefix that fits the scene if the picture is in SI
  * units. */

@@ -11,19 +11,13 @@
 enum { MOST_STEPS = 10000 }; /* of a line that leaves the plot */
 enum { LEGEND = 76 };        /* characters of a line of the legend, at most */
 
-/* The characters of the styles; 0: not drawn, and those that are lines. Several curves have
- * different characters. */
-static const char MARK[PO_PLOT_STYLE_COUNT] = {
-    [PO_PLOT_EQUILIBRIA] = '.',     [PO_PLOT_UNSTABLE] = '.',  [PO_PLOT_STABLE] = '*',
-    [PO_PLOT_LOADING] = '+',        [PO_PLOT_UNLOADING] = '*', [PO_PLOT_JUMP_LOADING] = '|',
-    [PO_PLOT_JUMP_UNLOADING] = '|', [PO_PLOT_THEORY] = '.',    [PO_PLOT_STEPS] = '*',
-    [PO_PLOT_CURVE] = '*',          [PO_PLOT_TRACTION] = '*',  [PO_PLOT_LEVEL] = '|',
-    [PO_PLOT_HOLDS] = 'o',          [PO_PLOT_FAILS] = 'x',     [PO_PLOT_UNKNOWN] = '?',
-    [PO_PLOT_FOLD] = 'o',           [PO_PLOT_PULL_OFF] = 'X'};
+#define MARK(key, macro, mark) mark,
+static const char MARKS[] = {PO_PLOT_STYLES(MARK)};
+/* Several curves have different characters. */
 static const char CURVES[] = "*o+x#@%&";
 
 static char mark_of(const po_plot_series *s, size_t index) {
-  return s->style == PO_PLOT_CURVE ? CURVES[index % (sizeof CURVES - 1)] : MARK[s->style];
+  return s->style == PO_PLOT_CURVE ? CURVES[index % (sizeof CURVES - 1)] : MARKS[s->style];
 }
 
 static bool is_line(po_plot_style style) {
@@ -72,7 +66,7 @@ static void draw(canvas *c, const po_plot_point *p, bool line, char mark) {
 }
 
 static void draw_series(canvas *c, const po_plot_series *s, char mark) {
-  const bool arrow = s->style == PO_PLOT_JUMP_LOADING || s->style == PO_PLOT_JUMP_UNLOADING;
+  const bool arrow = po_plot_is_jump(s->style);
   const bool line = is_line(s->style);
   if (line && s->count == 1)
     draw(c, s->point, false, mark);

@@ -3,28 +3,8 @@
 
 #include "po_plot.h"
 
-/* The names of the styles, and what is drawn of a point. */
-static const struct {
-  const char *macro;
-  bool is_arrow, has_error;
-} STYLES[PO_PLOT_STYLE_COUNT] = {[PO_PLOT_EQUILIBRIA] = {.macro = "equilibria"},
-                                 [PO_PLOT_UNSTABLE] = {.macro = "unstable"},
-                                 [PO_PLOT_STABLE] = {.macro = "stable"},
-                                 [PO_PLOT_LOADING] = {.macro = "loading"},
-                                 [PO_PLOT_UNLOADING] = {.macro = "unloading"},
-                                 [PO_PLOT_JUMP_LOADING] = {"jump_loading", .is_arrow = true},
-                                 [PO_PLOT_JUMP_UNLOADING] = {"jump_unloading", .is_arrow = true},
-                                 [PO_PLOT_THEORY] = {.macro = "theory"},
-                                 [PO_PLOT_STEPS] = {.macro = "steps"},
-                                 [PO_PLOT_CURVE] = {"curve", .has_error = true},
-                                 [PO_PLOT_TRACTION] = {.macro = "traction"},
-                                 [PO_PLOT_GAP] = {.macro = "gap"},
-                                 [PO_PLOT_LEVEL] = {.macro = "level"},
-                                 [PO_PLOT_HOLDS] = {.macro = "holds"},
-                                 [PO_PLOT_FAILS] = {.macro = "fails"},
-                                 [PO_PLOT_UNKNOWN] = {.macro = "unknown"},
-                                 [PO_PLOT_FOLD] = {.macro = "fold"},
-                                 [PO_PLOT_PULL_OFF] = {.macro = "pull_off"}};
+#define MACRO(key, macro, ...) macro,
+static const char *const MACROS[] = {PO_PLOT_STYLES(MACRO)};
 /* More titles are beside the panel in place of above it. */
 enum { MOST_ABOVE = 8 };
 /* The height of a picture with one row of panels, and that of each of several, pixels. */
@@ -61,7 +41,7 @@ static void add_range(po_text *script, char which, const po_plot_axis *axis) {
 /* The points of a series: their coordinates, and the error or where the arrow leads. */
 static void add_points(po_text *script, const po_plot_panel *panel, const po_plot_series *s) {
   const po_plot_axis *x = &panel->x, *y = s->style == PO_PLOT_GAP ? &panel->second : &panel->y;
-  const size_t step = STYLES[s->style].is_arrow ? 2 : 1;
+  const size_t step = po_plot_is_jump(s->style) ? 2 : 1;
   for (size_t i = 0; i + step <= s->count; i += step) {
     const po_plot_point *p = &s->point[i], *q = p + step - 1;
     const double at[2] = {po_plot_shown(x, p->x), po_plot_shown(y, p->y)};
@@ -77,15 +57,15 @@ static void add_points(po_text *script, const po_plot_panel *panel, const po_plo
 
 /* Appends the part of the plot command of a series. */
 static void add_series(po_text *plot, const po_plot_series *s, size_t number, double shade) {
-  const char *macro = STYLES[s->style].macro;
-  if (STYLES[s->style].has_error)
+  const char *macro = MACROS[s->style];
+  if (s->style == PO_PLOT_CURVE)
     po_text_add(plot,
                 "$series%zu using 1:2:3 @%s_error palette frac %.3f notitle, "
                 "$series%zu using 1:2 @%s palette frac %.3f ",
                 number, macro, shade, number, macro, shade);
   else
     po_text_add(plot, "$series%zu using %s @%s ", number,
-                STYLES[s->style].is_arrow ? "1:2:3:4" : "1:2", macro);
+                po_plot_is_jump(s->style) ? "1:2:3:4" : "1:2", macro);
   if (!*s->title)
     po_text_add(plot, "notitle");
   else

@@ -25,6 +25,10 @@ po_plot_picture po_plot_begin(char *caption, const po_request *request) {
                            .failed = !caption};
 }
 
+bool po_plot_is_jump(po_plot_style style) {
+  return style == PO_PLOT_JUMP_LOADING || style == PO_PLOT_JUMP_UNLOADING;
+}
+
 void po_plot_clear(po_plot_picture *picture) {
   for (size_t k = 0; k < picture->count; ++k) {
     po_plot_panel *panel = &picture->panel[k];

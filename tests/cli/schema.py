@@ -42,7 +42,7 @@ SOLVES = [
     ("--scheme triangle --nodes 101 --grading graded", 0),
     ("--tabor 2.385 --preload 0.7 --want curve,profile,hysteresis,diagnostics,preload", 0),
     ("--tabor 3 --outer-radius 100 --approach-end -3", 0),
-    ("--tabor 2 --stiffness 0.05 --want preload", 0),
+    ("--tabor 2 --stiffness 0.05 --want preload,curve", 0),
     (f"--tabor 3 {WAVES} --tolerance 1e-4 --want hysteresis,preload,profile", 0),
     (f"--tabor 3 {WAVES} --tolerance 1e-4 --preload inf --want theories", 0),
     ("--from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8 --want theories", 0),
