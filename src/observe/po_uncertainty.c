@@ -13,7 +13,7 @@
 /* The force is linear if its changes to both sides, and that of the adjoint, differ from their mean
  * by at most this part of it. With the change a s + b s^2/2 by an input s of deviation 1, at s = 2,
  * the part is b/a, and the true standard deviation, sqrt(a^2 + b^2/2), exceeds a by 1 % at most; a
- * jump on one side is seen from half of a on. */
+ * jump on one side is seen from a on. */
 static const double LINEAR = 0.2;
 
 /* A source that is not linear and changes the force by at most this part of the uncertainty by the
