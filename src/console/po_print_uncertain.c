@@ -35,7 +35,7 @@ static void print_source(const po_uncertain *u, double unit, const char *name) {
   if (strcmp(u->source, "noise") == 0)
     printf("uncertain noise of the profile: ");
   else
-    printf("uncertain %s %.10g+-%.10g: ", u->source, u->value, u->deviation);
+    printf("uncertain %s %.6g+-%.6g: ", u->source, u->value, u->deviation);
   if (!isnan(u->force))
     printf("force +-%g %s\n", rounded(u->force * unit), name);
   else if (isnan(u->below) || isnan(u->above))
