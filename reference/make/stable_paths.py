@@ -3,7 +3,8 @@ computes the jump from there by a relaxation of the surfaces in time.
 
 Relaxation. A damping resists the change of the gap, so that the elastic surface carries the traction
 q = P(H) - c dH/dt with a local weight c > 0, and H + D - f = elastic * deflection[q]. At given approach
-D is constant. At given load the integral of q is the load, and D follows from it. The rate of each of
+D is constant. At given load the integral of q is the load, and D follows from it; through a spring of stiffness k
+the base D + W/k is given. The rate of each of
 D and -H(u) increases with all others (the flow is cooperative), for every c. So a perturbation of an
 equilibrium to one side leads to the next equilibrium in this order, whatever c is.
 """
@@ -91,8 +92,8 @@ def piece(problem, state, sense, end, component=APPROACH):
 
 def step_in_time(problem, surface, undeformed, held, before, approach, step):
     """The gap and the approach after one step of the implicit Euler method; None if Newton's method fails.
-    `held`: the component of Y that is held, and its value."""
-    component, value = held
+    `held`: the parts of the approach and of the load in what is held, and its value."""
+    of_approach, of_load, value = held
     n, scale = surface.size, 1.0 / (1.0 + np.abs(before))
     operator = problem.elastic * surface.deflection
     damping = (1.0 + surface.q / DAMPED**2)**-3 / step
@@ -106,12 +107,8 @@ def step_in_time(problem, surface, undeformed, held, before, approach, step):
         matrix[:n, n] = 1.0
         matrix[:n] *= scale[:, None]
         residual[:n] = (gap + approach - undeformed - operator @ elastic) * scale
-        if component == LOAD:
-            matrix[n, :n], matrix[n, n] = surface.weights * slope, 0.0
-            residual[n] = surface.load(elastic) - value
-        else:
-            matrix[n, :n], matrix[n, n] = 0.0, 1.0
-            residual[n] = approach - value
+        matrix[n, :n], matrix[n, n] = of_load * surface.weights * slope, of_approach
+        residual[n] = of_approach * approach + of_load * surface.load(elastic) - value
         update = np.linalg.solve(matrix, -residual)
         if not np.isfinite(update).all() or np.max(-update[:n] / problem.law.room(gap)) > CLOSEST_GAP:
             return None
@@ -134,9 +131,9 @@ def relaxation_surface(scene, approach, level):
     return make_surface(problem, level, wide)
 
 
-def come_to_rest(problem, surface, held, gap, approach):
-    """The gap and the approach at rest; None if the surfaces separate."""
-    undeformed, step = problem.profile.gap(surface.u), FIRST_STEP
+def come_to_rest(problem, surface, held, gap, approach, step=FIRST_STEP):
+    """The gap and the approach at rest; None if the surfaces separate. Given: the first step in time."""
+    undeformed = problem.profile.gap(surface.u)
     for _ in range(MOST_STEPS):
         found = step_in_time(problem, surface, undeformed, held, gap, approach, step)
         if found is None or np.max(np.abs(found[0] - gap) / (1.0 + np.abs(gap))) > FARTHEST:
@@ -148,7 +145,7 @@ def come_to_rest(problem, surface, held, gap, approach):
         if step > LAST_STEP:
             return found
         step *= GROWTH
-    raise NotConverged(f"no rest where {'approach' if held[0] == APPROACH else 'load'} is {held[1]}")
+    raise NotConverged(f"no rest where {held[0]} approach + {held[1]} load is {held[2]}")
 
 
 def relax(scene, left, component, value, target):
@@ -160,7 +157,7 @@ def relax(scene, left, component, value, target):
         finer = relaxation_surface(scene, left.approach, level)
         elastic = surface.interpolate(gap + approach - problem.profile.gap(surface.u), finer.u, 1)
         surface, approach = finer, value if component == APPROACH else approach
-        found = come_to_rest(problem, surface, (component, value),
+        found = come_to_rest(problem, surface, (*ALONG[component][:2], value),
                              elastic - approach + problem.profile.gap(surface.u), approach)
         if found is None:
             return None

@@ -1,10 +1,11 @@
 """Loading and unloading through a spring: its limits, where it jumps, what it loses, and its units."""
 
+import csv
 import math
 import random
 
 import pytest
-from conftest import document, expect, run
+from conftest import ROOT, document, expect, run
 
 SCENES = ["--tabor 2", "--tabor 0.3", "--tabor 0", "--tabor 3 --amplitude 1 --wavelength 20",
           "--profile cone:0.3 --coupling 0.4 --law morse:2"]
@@ -114,6 +115,30 @@ def test_stability_at_a_given_base(stiffness):
     assert "unstable_modes_at_base" not in document(f"solve {scene} --want curve")["curve"][0]
     table = run(f"solve {scene} --stiffness {stiffness} --curve -").out
     assert "energy_error,unstable_modes_at_base\n" in table
+
+
+def relaxed():
+    """The loops of reference/spring_jumps.csv: a relaxation in time while the base is moved; no branch is followed."""
+    lines = [line for line in (ROOT / "reference/spring_jumps.csv").read_text().splitlines() if not line.startswith("#")]
+    found = {}
+    for row in csv.DictReader(lines):
+        key = tuple(row[name] for name in ("tabor", "amplitude", "wavelength", "radius", "outer_radius", "stiffness", "preload_load"))
+        found.setdefault(key, []).append(row)
+    return sorted(found.items())
+
+
+@pytest.mark.parametrize("key, rows", relaxed(), ids=lambda value: " ".join(value) if isinstance(value, tuple) else "")
+def test_jumps_are_those_of_a_relaxation_in_time(key, rows):
+    names = "tabor", "amplitude", "wavelength", "radius", "outer-radius", "stiffness", "preload-load"
+    smooth = float(key[1]) == 0
+    words = " ".join(f"--{name} {value}" for name, value in zip(names, key) if not (smooth and name in ("amplitude", "wavelength")))
+    ours = jumps(loops(words)["spring"])
+    assert [jump["phase"] for jump in ours] == [row["phase"] for row in rows]
+    for jump, row in zip(ours, rows):
+        found = {"base": base(jump["before"], float(key[5])), "load_before": jump["before"]["load"],
+                 "load_after": jump["after"]["load"], "energy_lost": jump["energy_lost"]}
+        for name, value in found.items():
+            assert abs(value - float(row[name])) <= float(row[name + "_uncertainty"]), (name, value, row)
 
 
 def staircases(words):
