@@ -49,12 +49,13 @@ class Links:
 class Cells:
     """The links of a map over the Tabor parameter and the amplitude. One link covers the map; the script of the page points it
     to the scene under the pointer. The map must show the scenes from corner to corner, on logarithmic axes."""
-    blocks = [[(0, 0, 0), (1, 1, 1)]]
 
     def __init__(self, points):
-        scenes = [options(point["command"]) for point in points]
+        commands = [point["command"] for point in points if {"tabor", "amplitude"} <= set(options(point["command"]))]
+        scenes = [options(command) for command in commands]
+        self.blocks = [[(0, 0, 0), (1, 1, 1)] if commands else []]
         self.across, self.up = (sorted({scene[name] for scene in scenes}, key=float) for name in ("tabor", "amplitude"))
-        self.command = points[len(points) // 2]["command"]
+        self.command = commands[len(commands) // 2] if commands else ""
 
     def elements(self, places):
         (left, bottom), (right, top) = ((float(x), float(y)) for _, x, y in sorted(places))

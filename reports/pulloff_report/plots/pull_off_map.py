@@ -121,10 +121,11 @@ def drawn(case, scenes, name, title, force, unknown=()):
         "x_low": tabors[0], "x_high": tabors[-1], "y_low": ratios[0], "y_high": ratios[-1],
         "mark": height(MARKED), "greatest": GREATEST,
         "left_tabor": plain(tabors[0]), "right_tabor": plain(tabors[-1])}
+    links = live.Cells([point for point in scenes.points if place(point) in force])
     data = {"regions": regions, "lines": [lines], "left": [rigid, left], "right": [guduru, right],
-            "unknown": [[(width(t), height(r)) for t, r in unknown]], "links": live.Cells.blocks}
+            "unknown": [[(width(t), height(r)) for t, r in unknown]], "links": links.blocks}
     label = f"Pull-off force over the Tabor parameter and A/λ, {title}"
-    return Markup(svg.embeddable(gnuplot.draw("pull_off_map", parameters, data), name, label, live.Cells([point for point in scenes.points if place(point) in force])))
+    return Markup(svg.embeddable(gnuplot.draw("pull_off_map", parameters, data), name, label, links))
 
 
 def make(case, references):
