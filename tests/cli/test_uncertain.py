@@ -49,7 +49,7 @@ def test_table_with_noise_is_told_to_smooth():
            "--smooth", "auto")
 
 
-@pytest.mark.parametrize("coupling, noise", [(0.005, 0.01), (0.05, 0.03), (1, 0.03), (0, 0.03)])
+@pytest.mark.parametrize("coupling, noise", [(0.005, 0.01), (0.05, 0.03), (1, 0.003), (0, 0.03)])
 def test_noise_of_a_profile(coupling, noise):
     """The deviation by the adjoint is the change of the force with the profile that belongs to it. The force of the table without
     noise is within three deviations."""

@@ -31,6 +31,7 @@ NOISE = {  # scene: amplitude of a waviness of 6 nm, noise (nm), what else is gi
     "rigid": (0.0, 0.01, {"modulus-pa": "inf"}),
     "wavy": (0.1, 0.01, {}),
     "known": (0.1, 0.01, {"smooth": 0.01}),
+    "worn": (None, 0.01, {}),  # flat up to a radius of 4.6 nm, with an edge of 1 nm
 }
 SPHERE, WAVE = {"radius-m": 3e-8}, {"amplitude-m": 4e-11, "wavelength-m": 6e-9}
 PARTS = {"work-j-per-m2": 0.1, "modulus-pa": 0.1, "distance-m": 0.03, "radius-m": 0.05}
@@ -44,6 +45,9 @@ ROWS, END = 201, 20.0
 
 
 def gap(r, amplitude):
+    if amplitude is None:
+        beyond = r * r / 60.0 - 0.35
+        return 0.5 * (beyond + math.hypot(beyond, 0.1)) - 0.5 * (-0.35 + math.hypot(0.35, 0.1))
     return 30.0 - math.sqrt(900.0 - r * r) + amplitude * (1.0 - math.cos(2.0 * math.pi * r / 6.0))
 
 

@@ -53,7 +53,10 @@ START_TEST(parabolas_stay) {
   ck_assert_int_eq(po_smoothing_make(POINTS[_i], X, Y, 0.1, &s), PO_OK);
   for (double x = 0.0; x <= 30.0; x += 0.237)
     ck_assert_double_eq_tol(value_of(&s, x), parabola(x), 1e-7);
-  ck_assert_double_eq_tol(s.parameters, 3.0, 0.1);
+  /* at 64 times the roughness 3.05 at most: what is beyond 3 grows no faster than the roughness
+   * falls */
+  ck_assert_double_gt(s.parameters, 3.0);
+  ck_assert_double_lt(s.parameters, 3.5);
   ck_assert_double_lt(s.greatest, 1e-7);
   po_smoothing_free(&s);
 }
