@@ -2,6 +2,7 @@
 rounds."""
 
 import pathlib
+import statistics
 
 import pytest
 from conftest import expect, load
@@ -62,9 +63,10 @@ def test_the_record(measured):
                                      "points": 1, "because": "it is made so"}]
     assert record["checks"] == []
     for point in points.values():
-        for key in "seconds_all", "processor_seconds_all":
-            assert len(point[key]) == 3 and min(point[key]) > 0
-        assert point["work"]["seconds"] == sorted(point["seconds_all"])[1]
+        seconds, processor = point["seconds_all"], point["processor_seconds_all"]
+        # three rounds, unless a slow machine has spent 0.1 s on the point before
+        assert len(seconds) == len(processor) and (len(seconds) == 3 or sum(processor) >= 0.1) and min(seconds + processor) > 0
+        assert point["work"]["seconds"] == pytest.approx(statistics.median(seconds), rel=1e-15)
         assert {"tabor", "scheme", "nodes", "tolerance", "approach_end"} <= point["sweep"].keys()
     told = {}
     for item in record["measured"]:
