@@ -356,36 +356,33 @@ po_status po_profile_table_displace(const po_profile_table *t, const double *cha
 static po_profile_table *tables;
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
-static const po_profile_table *find(const char *path, double scale, double smooth) {
+/* The table of a file with these bytes that was read before. */
+static const po_profile_table *find(const po_csv *csv, double scale, double smooth) {
   const po_profile_table *t = tables;
-  while (t && (strcmp(t->path, path) != 0 || t->scale != scale ||
-               !(t->smooth == smooth || (isnan(t->smooth) && isnan(smooth)))))
+  while (t && (strcmp(t->path, csv->path) != 0 || strcmp(t->digest, csv->digest) != 0 ||
+               t->scale != scale || !(t->smooth == smooth || (isnan(t->smooth) && isnan(smooth)))))
     t = t->next;
   return t;
 }
 
-static po_status read_new(const char *path, double scale, double smooth,
-                          const po_profile_table **table) {
+po_status po_profile_table_read(const char *path, double scale, double smooth,
+                                const po_profile_table **table) {
   po_csv csv;
   po_profile_table *made;
   po_status status = po_csv_read(path, path, &csv);
   if (status)
     return status;
-  status = make(path, scale, smooth, &csv, &made);
-  po_csv_clear(&csv);
-  if (!status) {
-    made->next = tables;
-    *table = tables = made;
-  }
-  return status;
-}
-
-po_status po_profile_table_read(const char *path, double scale, double smooth,
-                                const po_profile_table **table) {
   pthread_mutex_lock(&lock);
-  *table = find(path, scale, smooth);
-  const po_status status = *table ? PO_OK : read_new(path, scale, smooth, table);
+  *table = find(&csv, scale, smooth);
+  if (!*table) {
+    status = make(path, scale, smooth, &csv, &made);
+    if (!status) {
+      made->next = tables;
+      *table = tables = made;
+    }
+  }
   pthread_mutex_unlock(&lock);
+  po_csv_clear(&csv);
   return status;
 }
 

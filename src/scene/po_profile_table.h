@@ -38,12 +38,12 @@ typedef struct po_profile_table {
 } po_profile_table;
 
 /* Reads a table, or finds it among those that were read: a CSV file (po_csv.h) with the columns `r`
- * and `gap`. Given: their unit in epsilon; smooth, as above. A file that was read with the same
- * numbers is not read again. The table stays in memory until the program ends, so that scenes can
- * be copied. Thread-safe. Status: PO_CANNOT_READ, with file and line, if the file cannot be read, a
- * number is not finite, r does not start at 0 or does not rise, there are fewer than 8 rows, the
- * rows are too far from each other or too near, or the gap or its spline does not rise at the end;
- * PO_NO_MEMORY.
+ * and `gap`. Given: their unit in epsilon; smooth, as above. A file that was read
+ * with the same bytes and numbers gives the same table. The table stays in memory until the program
+ * ends, so that scenes can be copied. Thread-safe. Status: PO_CANNOT_READ, with file and line, if
+ * the file cannot be read, a number is not finite, r does not start at 0 or does not rise, there
+ * are fewer than 8 rows, the rows are too far from each other or too near, or the gap or its spline
+ * does not rise at the end; PO_NO_MEMORY.
  */
 po_status po_profile_table_read(const char *path, double scale, double smooth,
                                 const po_profile_table **table);

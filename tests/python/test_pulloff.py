@@ -9,6 +9,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import threading
 import unittest
 
@@ -85,6 +86,17 @@ class SameNumbers(unittest.TestCase):
         self.assertEqual([timeless(one.document)["pull_off"] for one in results],
                          [point["pull_off"] for point in shown["points"]])
         self.assertTrue(any(one["followed"] for one in results))
+
+    def test_a_file_that_changes(self):
+        """A table that is written again under its name is read again."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "tip.csv")
+            forces = []
+            for radius in 100, 50, 100:
+                path.write_text("r,gap\n" + "".join(f"{r},{r * r / (2 * radius)}\n" for r in range(0, 61, 2)), encoding="utf-8")
+                forces.append(pulloff.solve(profile_file=str(path), coupling=0.1)["pull_off"]["force"])
+        self.assertEqual(forces[0], forces[2])
+        self.assertGreater(forces[0], 1.9 * forces[1])
 
     def test_si_units(self):
         words = {"modulus": "2e9", "work": "0.05", "distance": "3e-10", "radius": "1e-7"}
