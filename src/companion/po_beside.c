@@ -123,15 +123,19 @@ typedef struct {
 
 /* Limits of the assumptions. Rigid bodies and DMT belong to Tabor parameters below STIFFEST, JKR to
  * those above SOFTEST (Johnson and Greenwood 1997); of a wavy body the crest decides, whose radius
- * is smaller. A theory of many waves in the contact needs so MANY_WAVES, and one of the central
- * crest no more than HALF_WAVE. A theory of a smooth sphere allows for an amplitude that changes
- * the tension little, SMOOTH eps. */
+ * is smaller. Of a sphere, the theory of Maugis holds at any Tabor parameter: the attraction of a
+ * parabola does not depend on the form of the law, but on its energy. That of a cone or a punch
+ * does, unless its range is short. A theory of many waves in the contact needs so MANY_WAVES, and
+ * one of the central crest no more than HALF_WAVE. A theory of a smooth sphere allows for an
+ * amplitude that changes the tension little, SMOOTH eps. */
 static const double STIFFEST = 0.1, SOFTEST = 5.0, MANY_WAVES = 2.0, HALF_WAVE = 0.5, SMOOTH = 0.1;
 
 #define STIFF                                                                                      \
   { PO_ASSUMES_TABOR, false, STIFFEST }
 #define SHORT_RANGE                                                                                \
   { PO_ASSUMES_CREST_TABOR, true, SOFTEST }
+#define SHORT_RANGE_OF_SHAPE                                                                       \
+  { PO_ASSUMES_SHAPE_TABOR, true, SOFTEST }
 #define FULL                                                                                       \
   { PO_ASSUMES_FULL_DISC, true, 1.0 }
 #define NO_WAVES                                                                                   \
@@ -147,7 +151,7 @@ static const struct {
     [PO_THEORY_RIGID] = {0, rigid, {STIFF}},
     [PO_THEORY_DMT] = {0, dmt, {STIFF}},
     [PO_THEORY_JKR] = {NEEDS_ELASTIC, jkr, {SHORT_RANGE, FULL}},
-    [PO_THEORY_MAUGIS] = {NEEDS_ELASTIC, maugis, {FULL}},
+    [PO_THEORY_MAUGIS] = {NEEDS_ELASTIC, maugis, {FULL, SHORT_RANGE_OF_SHAPE}},
     [PO_THEORY_CARPICK] = {NEEDS_SPHERE, carpick, {NO_WAVES}},
     [PO_THEORY_PIETREMENT] = {NEEDS_SPHERE, pietrement, {NO_WAVES}},
     [PO_THEORY_SCHWARZ] = {NEEDS_SPHERE, schwarz, {NO_WAVES}},
@@ -213,6 +217,8 @@ static void find_numbers(const po_request *request, const po_result *result,
   number[PO_ASSUMES_NOTHING] = NAN;
   number[PO_ASSUMES_TABOR] = po_scene_scales(scene).stretch;
   number[PO_ASSUMES_CREST_TABOR] = tabor_of_crest(scene, number[PO_ASSUMES_TABOR]);
+  number[PO_ASSUMES_SHAPE_TABOR] =
+      po_profile_is_sphere(&scene->profile) ? INFINITY : number[PO_ASSUMES_TABOR];
   number[PO_ASSUMES_FULL_DISC] = result->has_pull_off ? result->pull_off.full_disc : (double)NAN;
   number[PO_ASSUMES_WAVES] =
       result->has_pull_off ? result->pull_off.contact_radius / longest : (double)NAN;

@@ -70,7 +70,7 @@ void po_print_theories(const po_result *result, const po_theory *only, const po_
   if (units)
     snprintf(head, sizeof head, "%*s%s ", 12 - (int)strlen(unit.name), "force/", unit.text);
   printf("%-26s %12s %s%11s %9s %-7s %s\n", "theory", "force", head, "deviation", "error", "holds",
-         "because of");
+         "decided by");
   for (size_t k = 0; k < result->theory_count; ++k)
     if (!only || result->theories[k].theory == *only)
       print_row(&result->theories[k], units ? &unit : NULL);

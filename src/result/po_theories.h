@@ -26,6 +26,7 @@
   X(NOTHING, "none", "") \
   X(TABOR, "tabor", "Tabor parameter") \
   X(CREST_TABOR, "tabor_of_crest", "Tabor parameter of the crest") \
+  X(SHAPE_TABOR, "tabor_of_shape", "Tabor parameter of a profile that is no sphere") \
   X(FULL_DISC, "full_disc", "part of the contact radius without a groove") \
   X(WAVES, "waves_in_contact", "contact radius over wavelength") \
   X(AMPLITUDE, "amplitude", "amplitude")

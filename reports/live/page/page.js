@@ -144,7 +144,7 @@ function showNumbers(asked, seconds) {
   );
   fillTable(
     $('theories'),
-    ['theory', `pull-off force (${u.forceName})`, 'deviation', 'assumptions hold', 'because of', 'source'],
+    ['theory', `pull-off force (${u.forceName})`, 'deviation', 'assumptions hold', 'decided by', 'source'],
     theoryRows(answer),
   );
   $('summary').textContent =
