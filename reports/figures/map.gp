@@ -15,6 +15,5 @@ unset key
 set palette defined (0 '#440154', 1 '#472D7B', 2 '#3B528B', 3 '#2C728E', 4 '#21918C', 5 '#28AE80', 6 '#5EC962', 7 '#ADDC30', 8 '#FDE725')
 set colorbox vertical user origin screen 0.87, screen 0.13 size screen 0.03, screen 0.79
 set cbtics in scale 0.5
-set autoscale cbfix
 plot $map using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid 1 noborder linecolor palette notitle
 unset output

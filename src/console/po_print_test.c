@@ -104,8 +104,9 @@ static void print_loop(const char *control, const po_loop *loop, const units *u)
     printf("; energy lost %.6g%s", loop->energy_lost * u->energy, u->of_energy);
   if (isfinite(loop->energy_lost_error))
     printf(", error %s", po_print_error(loop->energy_lost_error * u->energy, error));
-  printf("\n%-5s%-10s %s%14s %14s %14s %14s %12s %8s\n", "jump", "phase",
-         spring ? "          base " : "", "approach", "to", "load", "to", "energy lost", "error");
+  printf("%s%s\n%-5s%-10s %s%14s %14s %14s %14s %12s %8s\n", *u->words ? "; jumps" : "", u->words,
+         "jump", "phase", spring ? "          base " : "", "approach", "to", "load", "to",
+         "energy lost", "error");
   for (size_t k = 0; k < loop->jump_count; ++k) {
     const po_jump *jump = &loop->jumps[k];
     po_label label;

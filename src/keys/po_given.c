@@ -29,6 +29,8 @@ void po_given_name(const po_given *given, po_key key, char name[PO_KEY_NAME_LENG
   write_name(given, given->si && si >= 0 ? si : (int)key, name);
 }
 
+static const char UNCERTAIN[] = "; uncertain numbers, 0.05+-0.01, are an input of solve only";
+
 /* Refuses a key with its value, or because it is missing. */
 static po_status __attribute__((format(printf, 3, 4)))
 refuse(po_given *given, int key, const char *format, ...) {
@@ -41,9 +43,11 @@ refuse(po_given *given, int key, const char *format, ...) {
   write_name(given, key, name);
   if (!given->text[key])
     return po_fail(PO_BAD_INPUT, "%s is missing: expected %s", name, expected);
-  return po_suggest(po_fail(PO_BAD_INPUT, "%s is %s: expected %s", name,
-                            po_quote(given->text[key], shown), expected),
-                    given->text[key], expected);
+  const char *text = given->text[key];
+  const bool uncertain = strstr(text, "+-") || strstr(text, "+/-") || strstr(text, "\u00B1");
+  return po_suggest(po_fail(PO_BAD_INPUT, "%s is %s: expected %s%s", name, po_quote(text, shown),
+                            expected, uncertain ? UNCERTAIN : ""),
+                    text, expected);
 }
 
 static po_status set_key(po_given *given, int key, po_request *request) {

@@ -52,6 +52,10 @@ po_status po_plot_map_data(const po_plot_map *map, po_text *script) {
   po_text_add(script, "EOD\n");
   add_axis(script, 'x', map->x, map->columns);
   add_axis(script, 'y', map->y, map->rows);
+  double range[2]; /* gnuplot would leave out cells whose overlap ends beyond the axes */
+  find_range(map, range);
+  if (range[0] < range[1])
+    po_text_add(script, "set cbrange [%.9g:%.9g]\n", range[0], range[1]);
   return script->failed ? PO_NO_MEMORY : PO_OK;
 }
 

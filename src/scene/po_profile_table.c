@@ -230,6 +230,20 @@ void po_profile_table_free(po_profile_table *t) {
   free(t);
 }
 
+/* A stated deviation that is wrong by more than this factor is refused. */
+static const double MOST_WRONG = 3.0;
+
+static po_status check_deviation(const po_profile_table *t) {
+  const double residual = t->smoothing.residual / t->scale;
+  if (isinf(t->smooth) ||
+      (residual <= MOST_WRONG * t->smooth && t->smooth <= MOST_WRONG * residual))
+    return PO_OK;
+  return po_fail(PO_CANNOT_READ,
+                 "%s: smooth is %g, but the rows are off the smoothing spline by %.3g, both in the "
+                 "unit of the file: expected a deviation within a factor of 3 of that, or auto",
+                 t->path, t->smooth, residual);
+}
+
 /* Puts the smoothing spline in the place of the rows. */
 static po_status smooth_rows(po_profile_table *t) {
   po_smoothing *s = &t->smoothing;
@@ -237,6 +251,8 @@ static po_status smooth_rows(po_profile_table *t) {
   po_status status = po_smoothing_make(t->rows, t->r, t->gap, deviation, s);
   if (!status)
     status = po_smoothing_uncertainty(s, &t->uncertainty);
+  if (!status)
+    status = check_deviation(t);
   if (status)
     return status;
   t->measured = t->r;

@@ -2,6 +2,7 @@
 and metre, too. Both kinds of options cannot be mixed, and missing options are named."""
 
 import math
+import pathlib
 import re
 
 import pytest
@@ -110,6 +111,15 @@ def test_tables_in_si_units():
             for a, b in zip(values, plain[key], strict=True):
                 b = 1 + b if key == "gap" else b
                 assert a == b or near(a, b * factor, 4e-14), name
+
+
+def test_the_guide_reads_such_a_table():
+    numpy = pytest.importorskip("numpy")
+    guide = (pathlib.Path(__file__).parents[2] / "doc" / "guide.md").read_text(encoding="utf-8")
+    [given] = re.findall(r'numpy\.genfromtxt\("si\.csv", (.*)\)', guide)
+    expect(0, "", f"solve --tolerance 1e-4 {TIP} --modulus-pa 5e9 --curve si.csv")
+    table = numpy.genfromtxt("si.csv", **eval(f"dict({given})"))
+    assert len(table["approach_nm"]) == len(table["load_nN"]) > 10 and numpy.isfinite(table["load_nN"]).all()
 
 
 def test_printed_loops_and_staircases_in_si_units():

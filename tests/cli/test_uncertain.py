@@ -34,6 +34,8 @@ def uncertain(words):
     (2, "--tabor is +-1: expected a number, or*", "solve --tabor +-1"),
     (2, "--nodes is 100+-1: expected a value without uncertainty", "solve --scheme ring --nodes 100+-1"),
     (2, "--tabor is 1+-2, and moved by twice its uncertainty it is refused: --tabor is -3: expected a finite number >= 0", "solve --tabor 1+-2"),
+    (2, "--tabor is 1±0.1: expected a finite number >= 0; uncertain numbers, 0.05+-0.01, are an input of solve only", "solve --tabor 1±0.1"),
+    (2, "--tabor is 1+-0.1: expected *, are an input of solve only", "plot --tabor 1+-0.1"),
     (2, "--smooth is 0: expected a finite number > 0, or auto", "solve --smooth 0"),
     (2, "--smooth is no: expected a finite number > 0, or auto", "solve --smooth no"),
     (2, "--smooth is auto: expected it beside the file of a profile", "solve --smooth auto"),
@@ -164,3 +166,11 @@ def test_nothing_else_changes():
         for key in ("digest", "work", "uncertainty"):
             found.pop(key, None)
     assert plain == with_uncertainty
+
+
+def test_deviation_in_another_unit():
+    """A deviation that is not that of the rows would be stated as their noise."""
+    name = write("tip.csv", 0.03)
+    for wrong in "0.00003", "30":
+        expect(4, f"pulloff: {name}: smooth is *, but the rows are off the smoothing spline by 0.0*, both in the unit of the file: "
+               "expected a deviation within a factor of 3 of that, or auto", f"{TABLE} {name} --smooth {wrong}")
