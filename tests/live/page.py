@@ -199,13 +199,21 @@ def a_series_is_followed(reader, _):
 
 def wrong_fields_give_a_message(reader, _):
     reader.open("#tabor=1")
-    for name, value in (("tabor", "x"), ("tabor", "-1"), ("tabor", "1e999"), ("tabor", "<b>"), ("radius", "0"), ("wavelength", "nan"),
+    for name, value in (("tabor", "x"), ("tabor", "0,5"), ("tabor", "-1"), ("tabor", "1e999"), ("tabor", "<b>"), ("radius", "0"), ("wavelength", "nan"),
                         ("outer-radius", "-inf"), ("nodes", "1e9"), ("waves", "1,2;;x"), ("preload", "'\"\\")):
         reader.visit("#tabor=1&scheme=ring" if name == "nodes" else "#tabor=1&amplitude=1&wavelength=20" if name == "wavelength" else "#tabor=1")
         reader.enter(name, value)
         assert reader.text("messages"), (name, value)
         marked = reader.browser.evaluate(f"document.getElementById('field-{name}').getAttribute('aria-invalid')")
+        assert reader.text("messages").endswith("(decimal point, not comma)") == (value == "0,5")
         assert marked == "true" or name == "outer-radius" or name == "waves", (name, value, reader.text("messages"))
+    # an empty field shows the value for which the solver takes it
+    reader.visit("#tabor=3")
+    reader.enter("tabor", "")
+    assert not reader.text("messages") and reader.browser.evaluate("document.getElementById('field-tabor').placeholder") == "1"
+    by_default = reader.text("digest")
+    reader.visit("#tabor=1")
+    assert reader.text("digest") == by_default
     # several waves hide the fields of one wave, until they are deleted
     is_hidden = "document.getElementById('field-amplitude').parentNode.hidden"
     reader.visit("#tabor=1&waves=0.1,20;0.1,9")
@@ -298,6 +306,35 @@ def units_are_changed_to_and_fro(reader, _):
     assert abs(after / before - 1) < 1e-4, (before, after)
 
 
+def units_follow_the_profile(reader, _):
+    for fragment, unit, energy in (("#tabor=2", "πwR", "πwRε"), ("#coupling=0.5&profile=punch&punch-b=8&punch-r=40", "πwε", "πwε²")):
+        reader.open(fragment)
+        rows = reader.rows("#numbers")
+        assert rows[0][2] == unit and [row[2] for row in rows if "Energy" in row[0]] == [energy], rows
+        assert all(f"loads in {unit}," in reader.text(name) for name in ("hint", "units"))
+
+
+def a_preload_is_named_where_one_is_needed(reader, _):
+    for fragment in ("#tabor=1", "#tabor=3&amplitude=1&wavelength=20"):
+        reader.open(fragment)
+        found = json.loads(reader.printed(reader.text("command"), "--json"))["pull_off"]
+        rows = [row for row in reader.rows("#numbers") if row[0].startswith(("Preload", "Load"))]
+        if found["preload"]["approach"] == found["approach"]:
+            assert rows == [["Preload needed", "none: any contact suffices", ""]], rows
+        else:
+            assert [abs(float(row[1].replace("−", "-")) / found["preload"][name] - 1) < 1e-5 for row, name in zip(rows, ("approach", "load"))] == [True, True], rows
+            assert "no compression" in rows[1][2] and found["preload"]["load"] < 0, rows
+    reader.click("input[value=load_control]")
+    assert any("at given load" in row[0] and "without bound" in row[1] for row in reader.rows("#numbers"))
+    assert all(("at given approach" in row[0]) == row[0].startswith("jump") for row in reader.rows("#special"))
+
+
+def an_early_end_asserts_no_pull_off(reader, _):
+    reader.open("#tabor=8&amplitude=3&wavelength=6&radius=400&time-limit=0.3")
+    assert "ended early" in reader.text("messages") and reader.text("summary").startswith("Pull-off not reached"), reader.text("summary")
+    assert not any("±" in row[1] for row in reader.rows("#numbers")) and not reader.browser.evaluate("document.querySelectorAll('#load .pulloff').length")
+
+
 def every_field_has_a_name(reader, _):
     for fragment in ("#tabor=2", "#from-physical&modulus-pa=1e10&work-j-per-m2=0.05&distance-m=4e-10&radius-m=1e-6", "#coupling=0.1&profile=power&power-c=0.01&power-n=3"):
         reader.open(fragment)
@@ -342,6 +379,15 @@ def memory_is_bounded(reader, _, solves):
     print(f"# {solves} solves: {memory[20] >> 20} MB after 21, {memory[-1] >> 20} MB at the end")
 
 
+def a_figure_is_in_sight(reader, _):
+    reader.open("#figure=fig03")
+    head = "document.getElementById('figures-head').getBoundingClientRect()"
+    reader.wait(f"{head}.top >= 0 && {head}.bottom <= innerHeight", "the figures", 2)
+    assert reader.browser.evaluate("location.hash") == "#figure=fig03" and reader.digest_of_command() == reader.text("digest")
+    reader.enter("tabor", "2")
+    assert "tabor=2" in reader.browser.evaluate("location.hash")
+
+
 def a_figure_is_recomputed(reader, _):
     with tempfile.TemporaryDirectory() as folder:
         recompute_twice(reader, folder)
@@ -373,7 +419,7 @@ def recompute_twice(reader, folder):
 
 TESTS = [command_gives_the_digest, staircase_has_the_digest, a_spring_has_its_loop, a_table_is_a_profile, theories_are_those_of_compare,
          a_series_is_followed, wrong_fields_give_a_message, fuzzed_fragments_are_survived, fuzzed_fields_are_survived,
-         a_long_solve_is_stopped, a_figure_is_recomputed, a_marker_of_the_report_opens_its_scene, a_point_is_dragged_along_the_curve, units_are_changed_to_and_fro, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
+         a_long_solve_is_stopped, a_figure_is_in_sight, units_follow_the_profile, a_preload_is_named_where_one_is_needed, an_early_end_asserts_no_pull_off, a_figure_is_recomputed, a_marker_of_the_report_opens_its_scene, a_point_is_dragged_along_the_curve, units_are_changed_to_and_fro, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
          memory_is_bounded]
 
 

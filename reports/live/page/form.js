@@ -1,5 +1,5 @@
 // The form: one row for each field that the scene has, with a slider where the field has a range.
-import {FIELDS, fieldsOf, SI_ENDING, TABLE_NAME, valueOf} from './scene.js';
+import {FIELDS, fieldsOf, labelOf, placeholderOf, SI_ENDING, TABLE_NAME, valueOf} from './scene.js';
 
 const STEPS = 1000, // of a slider
   MOST_BYTES = 5e5; // of a table
@@ -23,35 +23,37 @@ export function makeForm(form, change) {
     control: document.querySelector('.fields.control'),
   };
 
-  function makeRow(field) {
+  function makeRow(field, scene) {
     const row = document.createElement('div'),
       label = document.createElement('label'),
       id = `field-${field.name}`;
     row.className = 'field';
     label.htmlFor = id;
-    label.textContent = field.label;
     const input = document.createElement(field.choices ? 'select' : field.isTable ? 'textarea' : 'input');
     input.id = id;
     row.append(label, input);
+    const name = (shown) => (label.textContent = labelOf(field, shown));
+    name(scene);
     if (field.choices) {
       for (const choice of field.choices) input.append(new Option(choice, choice));
       input.onchange = () => change(field.name, input.value);
-      return {row, show: (text) => (input.value = text), input};
+      return {row, show: (text) => (input.value = text), input, name};
     }
-    if (field.isTable) return makeTable(field, row, input);
+    if (field.isTable) return {...makeTable(field, row, input), name};
     Object.assign(input, {
       type: 'text',
       inputMode: field.name === 'waves' ? 'text' : 'decimal',
       autocomplete: 'off',
       spellcheck: false,
       maxLength: 200,
+      placeholder: shownOf(field, placeholderOf(field)),
     });
     let slider = null;
     if (field.range) {
       slider = document.createElement('input');
       Object.assign(slider, {type: 'range', min: 0, max: STEPS});
       const ends = field.range.map((end) => shownOf(field, String(end)));
-      slider.setAttribute('aria-label', `${field.label}, slider from ${ends[0]} to ${ends[1]}`);
+      slider.setAttribute('aria-label', `${labelOf(field, scene)}, slider from ${ends[0]} to ${ends[1]}`);
       input.title = `The slider goes from ${ends[0]} to ${ends[1]}; the field takes other values, too.`;
       slider.oninput = () => {
         const text = String(Number(valueAt(field.range, Number(slider.value)).toPrecision(3)));
@@ -71,7 +73,7 @@ export function makeForm(form, change) {
       const text = storedOf(field, input.value.trim());
       change(field.name, text);
     };
-    return {row, show, input};
+    return {row, show, input, name};
   }
 
   // The row of a table: its text, which can be typed, or be that of a file that is chosen or dropped on it.
@@ -98,8 +100,8 @@ export function makeForm(form, change) {
   }
 
   // Makes the row of a field, in the order of the fields; no other row is moved, which could have the focus.
-  function insertRow(field) {
-    const made = makeRow(field),
+  function insertRow(field, scene) {
+    const made = makeRow(field, scene),
       box = boxes[field.part ?? 'usual'],
       index = FIELDS.indexOf(field);
     made.row.dataset.index = index;
@@ -113,20 +115,24 @@ export function makeForm(form, change) {
       const shown = new Set(fields.map((field) => field.name));
       for (const [name, {row}] of rows) if (!shown.has(name)) row.hidden = true;
       for (const field of fields) {
-        if (!rows.has(field.name)) insertRow(field);
-        const {row, show} = rows.get(field.name);
+        if (!rows.has(field.name)) insertRow(field, scene);
+        const {row, show, name} = rows.get(field.name);
         row.hidden = false;
+        name(scene);
         show(valueOf(scene, field.name));
       }
     },
-    // Marks the field that a message names.
+    // Marks the field that a message names. Returned: what the reader could have meant, or an empty text.
     mark(message) {
       const first = message.split(/[ :]/, 1)[0].replaceAll('_', '-'),
         named = first === TABLE_NAME ? 'table' : first;
+      let hint = '';
       for (const [name, {input}] of rows)
-        if (message && (name === named || name.replace(SI_ENDING, '') === named))
+        if (message && (name === named || name.replace(SI_ENDING, '') === named)) {
           input.setAttribute('aria-invalid', 'true');
-        else input.removeAttribute('aria-invalid');
+          if (/^\s*[-+]?\d*,\d+\s*$/.test(input.value)) hint = ' (decimal point, not comma)';
+        } else input.removeAttribute('aria-invalid');
+      return hint;
     },
   };
 }

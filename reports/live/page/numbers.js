@@ -11,6 +11,12 @@ export function withError(value, error) {
 }
 
 export const LOAD_UNITS = {'pi w R': 'πwR', 'pi w epsilon': 'πwε'};
+const ENERGY_UNITS = {'pi w R': 'πwRε', 'pi w epsilon': 'πwε²'};
+const JKR_FORCE = 1.5; // of a smooth sphere, pi w R
+
+// The pull-off of a result; null if there is none, or if the solve ended before it is known that this is the one.
+export const pullOffOf = (result) => (result.status === 'ok' ? result.pull_off : null);
+
 const keep = (value) => value;
 
 // The units in which an answer is shown: the factor of each dimension, and its name.
@@ -24,7 +30,7 @@ export function unitsOf({document, units}) {
       energy: 1,
       lengthName: 'ε',
       forceName: load,
-      energyName: `${load}ε`,
+      energyName: ENERGY_UNITS[document.input.load_unit],
       gap: keep,
       gapLabel: 'gap h/ε − 1',
       tractionLabel: `traction p ${document.input.tabor > 0 ? 'μ' : ''}ε/w`,
@@ -59,56 +65,74 @@ export function fillTable(table, heads, rows) {
   table.tBodies[0].replaceChildren(...rows.map((cells) => makeRow(cells, false)));
 }
 
-// The rows of the main numbers of a result.
-export function mainRows(answer) {
+// The rows of the preload that a pull-off needs.
+function preloadRows({preload, approach}, u) {
+  if (preload?.approach == null) return [];
+  if (preload.approach === approach) return [['Preload needed', 'none: any contact suffices', '']];
+  return [
+    ['Preload needed: approach beyond', withError(preload.approach * u.length), u.lengthName],
+    ['Load there', withError(preload.load * u.force), `${u.forceName}${preload.load < 0 ? '; negative: no compression is needed' : ''}`],
+  ];
+}
+
+// The rows of the wave of a sphere: the numbers of the paper.
+function waveRows({waves, radius, profile}) {
+  const [amplitude, wavelength] = /^[^;]+@[^;]+$/.test(waves ?? '') ? waves.split('@').map(Number) : [0, 1];
+  if (!(amplitude > 0) || profile !== 'sphere') return [];
+  return [
+    ['A/λ', withError(amplitude / wavelength), ''],
+    ['α = AR/λ²', withError((amplitude * radius) / wavelength ** 2), ''],
+  ];
+}
+
+export const HELD = {displacement_control: 'at given approach', load_control: 'at given load', spring: 'through the spring'};
+
+// The rows of the main numbers of a result, for a test in a control.
+export function mainRows(answer, control) {
   const {document: result} = answer,
     u = unitsOf(answer),
-    p = result.pull_off,
-    loops = result.hysteresis;
-  if (!p) return [['Pull-off', 'none was found', '']];
+    p = pullOffOf(result),
+    loop = result.hysteresis?.[control];
+  if (!p) return [['Pull-off', result.status === 'ok' ? 'none was found' : 'not reached: the solve ended early', '']];
   const rows = [
     ['Pull-off force', withError(p.force * u.force, p.error_estimate * u.force), u.forceName],
+    ...(result.input.load_unit === 'pi w R' ? [['Pull-off force relative to that of JKR, 1.5 πwR', withError(p.force / JKR_FORCE, p.error_estimate / JKR_FORCE), '']] : []),
     ['Approach at pull-off', withError(p.approach * u.length, p.approach_error_estimate * u.length), u.lengthName],
     [
       'Contact radius at pull-off',
       withError(p.contact_radius === null ? null : p.contact_radius * u.length, p.contact_radius_error_estimate * u.length),
       u.lengthName,
     ],
+    ...preloadRows(p, u),
   ];
-  if (p.preload?.approach != null)
-    rows.push(
-      ['Preload needed: approach', withError(p.preload.approach * u.length), u.lengthName],
-      ['Preload needed: load', withError(p.preload.load * u.force), u.forceName],
-    );
-  for (const [name, how] of [
-    ['displacement_control', 'at given approach'],
-    ['spring', 'through the spring'],
-  ]) {
-    const loop = loops?.[name];
-    if (loop?.energy_lost != null)
-      rows.push([
-        `Energy lost in a loop ${how}`,
-        withError(loop.energy_lost * u.energy, loop.energy_lost_error_estimate * u.energy),
-        u.energyName,
-      ]);
-  }
-  return rows;
+  if (loop?.preload)
+    rows.push([
+      `Energy lost in a loop ${HELD[control]}`,
+      ...(loop.energy_lost === null
+        ? ['without bound: in the last jump the bodies fly apart', '']
+        : [withError(loop.energy_lost * u.energy, loop.energy_lost_error_estimate * u.energy), u.energyName]),
+    ]);
+  return [...rows, ...waveRows(result.input)];
 }
 
-export const KINDS = {
+const KINDS = {
   jump_in: 'jump into contact',
   jump_out: 'jump out of contact',
   minimum: 'minimum of the load',
   maximum: 'maximum of the load',
 };
 
-export const specialRows = (answer) => {
+// The name of a special point; folds are those at given approach in every control.
+export const kindOf = ({kind}, control) =>
+  KINDS[kind] + (/^jump/.test(kind) && control !== 'displacement_control' ? ' (at given approach)' : '');
+
+export const specialRows = (answer, control) => {
   const u = unitsOf(answer),
     {folds, extrema} = answer.document;
   return [...folds, ...extrema]
     .sort((a, b) => a.position - b.position)
     .map((s) => [
-      KINDS[s.kind],
+      kindOf(s, control),
       withError(s.approach * u.length, s.error_estimate * u.length),
       withError(s.load * u.force, s.load_error_estimate * u.force),
       withError(s.contact_radius * u.length),

@@ -1,9 +1,9 @@
 // The page: the scene of the address is solved, and everything is drawn again when it changes.
-import {commandOf, fragmentOf, hasSpring, inOtherUnits, requestOf, requestOfJkr, sceneOf, tableOf, withSpring, TABLE_NAME} from './scene.js';
+import {commandOf, fragmentOf, hasSpring, inOtherUnits, loadUnitOf, requestOf, requestOfJkr, sceneOf, tableOf, withSpring, TABLE_NAME} from './scene.js';
 import {makeFigures} from './figures.js';
 import {makeForm} from './form.js';
 import {makeJobs} from './jobs.js';
-import {fillTable, mainRows, specialRows, theoryRows, unitsOf, withError} from './numbers.js';
+import {fillTable, HELD, mainRows, pullOffOf, specialRows, theoryRows, unitsOf, withError} from './numbers.js';
 import {makeSeries} from './series.js';
 import {drawLoad, drawProfile, drawProgress, drawStaircase, isStable, rangesOfProfiles} from './views.js';
 
@@ -11,7 +11,8 @@ const START = '#tabor=3&amplitude=1&wavelength=20', // the scene of a page witho
   WANT = 'curve,hysteresis,theories',
   WANT_STAIRCASE = 'preload';
 const QUIET = 300; // ms of a solve before its progress is shown
-const JKR_POINTS = {least: 80, perWave: 40, most: 600}; // of the curve of the JKR theory
+const JKR_POINTS = {least: 80, perWave: 40, most: 600}, // of the curve of the JKR theory
+  JKR_FIRST = [12, 8, 6, 4, 3, 2, 1].map((power) => 4 ** -power); // radii below the first step, down to the origin
 const $ = (id) => document.getElementById(id);
 
 // A part of the page that is the base64 of a gzip.
@@ -28,6 +29,8 @@ const series = makeSeries($('series'), follower, (name, text) => {
   scene = {...scene, [name]: text};
   changeScene();
 });
+let kept = null, // {scene, fragment}: the address of a figure, until the reader changes its scene
+  isFigureWanted = false; // until its first solve is drawn
 let {scene, messages} = sceneOfAddress();
 let shown = null; // {answer, profiles, ranges, jkr} of the scene that is drawn
 let chosen = 0,
@@ -41,8 +44,10 @@ function sceneOfAddress() {
   const name = /^#figure=(\w{1,40})$/.exec(location.hash)?.[1];
   if (!name) return sceneOf(location.hash || START);
   if (!figures.show(name)) return {scene: {}, messages: [`This page has no scenes of a figure ${name}.`]};
-  $('figures').scrollIntoView();
-  return sceneOf(figures.first());
+  const first = sceneOf(figures.first());
+  kept = {scene: first.scene, fragment: location.hash};
+  isFigureWanted = true;
+  return first;
 }
 
 function report(...texts) {
@@ -58,10 +63,20 @@ const form = makeForm($('scene'), (name, text) => {
   changeScene();
 });
 
+// The units of the scene, in words.
+function showUnits() {
+  const unit = loadUnitOf(scene),
+    loads = `loads in ${unit}, with the work of adhesion w${unit === 'πwR' ? ' and the radius R' : ''}`;
+  $('hint').textContent = `Otherwise lengths are in ε, the distance at which the surfaces neither attract nor repel each other, and ${loads}.`;
+  $('units').textContent = $('si').checked ? 'Lengths are in nm, loads in nN.' : `Lengths are in ε, the equilibrium distance of the law; ${loads}.`;
+  $('formula').textContent = `Initial gap: f(r) = ${unit === 'πwR' ? 'r²/2R' : 'profile(r)'} + A (1 − cos 2πr/λ)`;
+}
+
 function changeScene() {
-  history.replaceState(null, '', fragmentOf(scene));
+  history.replaceState(null, '', kept?.scene === scene ? kept.fragment : fragmentOf(scene));
   $('si').checked = 'from-physical' in scene;
   $('hint').hidden = $('si').checked;
+  showUnits();
   if (hasSpring(scene)) $('spring').checked = true;
   else if ($('spring').checked) document.querySelector('input[name=control]').checked = true;
   form.show(scene);
@@ -88,12 +103,12 @@ async function solve() {
   // While the reader moves a slider, the scenes on the way that are solved are drawn, too.
   if (mine !== turn && answer.error) return;
   if (mine === turn) $('busy').hidden = true;
-  form.mark(answer.error && !answer.stopped ? answer.error : '');
+  const meant = form.mark(answer.error && !answer.stopped ? answer.error : '');
   document.body.classList.toggle('stale', Boolean(answer.error));
   if (answer.error) {
     report(
       ...messages,
-      answer.error === 'stopped' ? 'The solve was stopped. The figures show the previous scene.' : answer.error,
+      answer.error === 'stopped' ? 'The solve was stopped. The figures show the previous scene.' : answer.error + meant,
     );
     if (shown) drawAll();
     return;
@@ -103,14 +118,17 @@ async function solve() {
     ...messages,
     result.status === 'ok' ? '' : `The solve ended early: ${result.reason}. What was found until then is shown.`,
   );
-  shown = {answer, profiles: new Map(profiles), jkr: [], ranges: rangesOfProfiles(answer, profiles)};
+  shown = {answer, asked, seconds, profiles: new Map(profiles), jkr: [], ranges: rangesOfProfiles(answer, profiles)};
+  const p = pullOffOf(result);
   choose(
     hasChosen
       ? nearestTo(result.curve, chosenState)
-      : nearestTo(result.curve, result.pull_off && {approach: result.pull_off.approach, load: -result.pull_off.force}),
+      : nearestTo(result.curve, p && {approach: p.approach, load: -p.force}),
   );
-  showNumbers(asked, seconds);
+  showNumbers();
   drawAll();
+  if (isFigureWanted && kept?.scene === asked) $('figures').scrollIntoView();
+  isFigureWanted = false;
   if (mine === turn) evaluateJkr(mine, asked);
 }
 
@@ -131,16 +149,17 @@ function choose(number) {
   chosenState = shown.answer.document.curve[number] ?? null;
 }
 
-function showNumbers(asked, seconds) {
-  const {answer} = shown,
+function showNumbers() {
+  const {answer, asked, seconds} = shown,
+    isOwn = control() === 'displacement_control',
     result = answer.document,
     u = unitsOf(answer),
-    p = result.pull_off;
-  fillTable($('numbers'), [], mainRows(answer));
+    p = pullOffOf(result);
+  fillTable($('numbers'), [], mainRows(answer, control()));
   fillTable(
     $('special'),
-    ['point', `approach (${u.lengthName})`, `load (${u.forceName})`, `contact radius (${u.lengthName})`, 'unstable modes'],
-    specialRows(answer),
+    ['point', `approach (${u.lengthName})`, `load (${u.forceName})`, `contact radius (${u.lengthName})`, `unstable modes after it${isOwn ? '' : ' (at given approach)'}`],
+    specialRows(answer, control()),
   );
   fillTable(
     $('theories'),
@@ -150,8 +169,8 @@ function showNumbers(asked, seconds) {
   $('summary').textContent =
     (p
       ? `Pull-off force ${withError(p.force * u.force)} ${u.forceName} at approach ${withError(p.approach * u.length)} ${u.lengthName}. `
-      : 'No pull-off was found. ') +
-    `${result.folds.length} folds, ${result.curve.length} equilibria, solved here in ${seconds.toFixed(2)} s.`;
+      : result.status === 'ok' ? 'No pull-off was found. ' : 'Pull-off not reached: the solve ended early. ') +
+    `${result.folds.length} folds${isOwn ? '' : ' (at given approach)'}, ${result.curve.length} equilibria, solved here in ${seconds.toFixed(2)} s.`;
   $('command').textContent = commandOf(asked, WANT);
   $('save').hidden = asked.profile !== 'table';
   $('save').download = TABLE_NAME;
@@ -172,7 +191,6 @@ function drawAll() {
   drawChosen();
 }
 
-const HELD = {displacement_control: 'at given approach', load_control: 'at given load', spring: 'through the spring'};
 function drawChosen() {
   const {answer, profiles, ranges} = shown,
     u = unitsOf(answer),
@@ -201,8 +219,9 @@ async function evaluateJkr(mine, asked) {
     largest = 1.02 * Math.max(...result.curve.map((p) => p.contact_radius));
   const waves = result.input.wavelength && result.input.waves ? largest / result.input.wavelength : 0;
   const count = Math.min(JKR_POINTS.most, Math.max(JKR_POINTS.least, Math.ceil(JKR_POINTS.perWave * waves)));
-  for (let k = 0; result.input.tabor > 0 && largest > 0 && k <= count; ++k) {
-    const {answer: form} = await side.ask(requestOfJkr(asked, result.input, (largest * k) / count));
+  const steps = [...JKR_FIRST, ...Array.from({length: count}, (_, k) => k + 1)];
+  for (const step of result.input.tabor > 0 && largest > 0 ? steps : []) {
+    const {answer: form} = await side.ask(requestOfJkr(asked, result.input, (largest * step) / count));
     if (mine !== turn) return;
     points.push(form.document);
   }
@@ -253,9 +272,16 @@ for (const choice of document.querySelectorAll('input[name=control]'))
     if (wanted !== hasSpring(scene)) {
       scene = withSpring(scene, wanted);
       changeScene();
-    } else if (shown) drawAll();
+    } else if (shown) {
+      showNumbers();
+      drawAll();
+    }
     drawStairs();
   });
+$('figures').addEventListener('change', () => {
+  kept = null;
+  history.replaceState(null, '', fragmentOf(scene));
+});
 $('si').addEventListener('change', () => {
   scene = inOtherUnits(scene, shown?.answer.document.input);
   messages = [];

@@ -111,19 +111,20 @@ export function draw(svg, {label, x, y, curves = [], markers = [], lines = []}) 
         element('path', {class: `head ${kind}`, d: 'M0 0L-9 3.5L-9 -3.5Z', transform: `translate(${x2} ${y2}) rotate(${angle})`}),
       );
   }
+  const marks = element('g'); // whole at the edge, too
   for (const {x: at, y: value, kind, title, text} of markers) {
-    const [cx, cy] = [place(X(at)), place(Y(value))];
-    inside.append(
+    const [cx, cy] = [place(X(at)), place(Y(value))].map(Number);
+    if (cx < MARGIN.left - 1 || cx > right + 1 || cy < MARGIN.top - 1 || cy > bottom + 1) continue;
+    marks.append(
       element(
         'circle',
         {class: `marker ${kind}`, cx, cy, r: kind === 'chosen' ? 8 : 4.5},
         ...(title ? [element('title', {}, title)] : []),
       ),
     );
-    const isLeft = cx > (MARGIN.left + right) / 2;
     if (text)
-      inside.append(
-        element('text', {class: 'note', x: isLeft ? cx - 12 : Number(cx) + 12, y: Number(cy) + 4, 'text-anchor': isLeft ? 'end' : 'start'}, text),
+      marks.append(
+        element('text', {class: 'note', x: Math.max(MARGIN.left + 30, Math.min(right - 30, cx)), y: cy + 21, 'text-anchor': 'middle'}, text),
       );
   }
   svg.setAttribute('role', 'img');
@@ -146,6 +147,7 @@ export function draw(svg, {label, x, y, curves = [], markers = [], lines = []}) 
     ),
     frame,
     inside,
+    marks,
   );
-  return {X, Y, inside};
+  return {X, Y, marks};
 }

@@ -12,7 +12,11 @@ const isTable = (scene) => scene.profile === 'table' && inEpsilon(scene);
 const WORN = 'r,gap\n' + Array.from({length: 41}, (_, r) => `${r},${Number((r ** 4 / (160 * (r ** 2 + 60))).toPrecision(6))}\n`).join('');
 export const TABLE_NAME = 'profile.csv';
 
-// One row a field: the option; the label; its usual value; `range`, that of the slider (logarithmic unless it begins
+// The unit of loads, by the profile.
+export const loadUnitOf = (scene) => (isSphere(scene) ? 'πwR' : 'πwε');
+export const labelOf = ({label}, scene) => (typeof label === 'function' ? label(scene) : label);
+
+// One row a field: the option; the label, or that for a scene; its usual value; `range`, that of the slider (logarithmic unless it begins
 // with 0); `choices`; `isTable`, whether it is the text of a table; `of`, whether a scene has the field; `si`, the SI unit in
 // which the form shows it; `part`, where; `varies`, whether a series can vary it.
 export const FIELDS = [
@@ -63,11 +67,11 @@ export const FIELDS = [
   {name: 'waves', label: 'Several waves: A,λ; A,λ; … (ε)', usual: '', of: inEpsilon, part: 'more'},
   {name: 'outer-radius', label: 'Outer radius of the surface (ε, or inf)', usual: 'inf', of: inEpsilon, part: 'more'},
   {name: 'preload', label: 'Preload: approach (ε, or inf)', usual: '', part: 'more', of: inEpsilon},
-  {name: 'preload-load', label: 'Preload: load (πwR)', usual: '', part: 'more', of: inEpsilon},
+  {name: 'preload-load', label: (s) => `Preload: load (${loadUnitOf(s)})`, usual: '', part: 'more', of: inEpsilon},
   {name: 'preload-load-n', label: 'Preload: load (nN)', usual: '', si: 1e-9, of: isSI, part: 'more'},
   {
     name: 'stiffness',
-    label: 'Stiffness k of the spring (πwR/ε)',
+    label: (s) => `Stiffness k of the spring (${isSphere(s) ? 'πwR/ε' : 'πw'})`,
     usual: '',
     range: [1e-3, 10],
     of: (s) => inEpsilon(s) && 'stiffness' in s,
@@ -117,6 +121,9 @@ export function withSpring(scene, wanted) {
   return wanted ? {...without, [stiffnessName(scene)]: before || SOFT[stiffnessName(scene)]} : without;
 }
 const amplitudeOf = (scene) => valueOf(scene, isSI(scene) ? 'amplitude-m' : 'amplitude');
+
+// The value that an empty field stands for; none if the solver then wants one.
+export const placeholderOf = (field) => (isNeeded(field) || isWave(field.name) || field.choices ? '' : field.usual);
 
 const isSame = (a, b) => a === b || (a !== '' && b !== '' && Number(a) === Number(b));
 

@@ -1,6 +1,6 @@
 // The figures of the page: load against approach, gap and traction, staircase.
 import {draw, rangeOf} from './plot.js';
-import {KINDS, unitsOf, withError} from './numbers.js';
+import {kindOf, pullOffOf, unitsOf, withError} from './numbers.js';
 
 // The stiffness of the control: infinite at given approach, 0 at given load.
 const stiffnessOf = ({document: result}, control) =>
@@ -57,7 +57,8 @@ export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
   const at = (p) => (p.approach + give * p.load) * u.length;
   const what = give ? 'base of the spring: approach + load/k' : 'approach';
   const x = {label: `${what} (${u.lengthName})`, range: rangeOf(shown.map(at))};
-  const y = {label: `load (${u.forceName})`, range: rangeOf(shown.map((p) => p.load * u.force))};
+  const [lowest, highest] = rangeOf(shown.map((p) => p.load * u.force));
+  const y = {label: `load (${u.forceName})`, range: [lowest - 0.08 * (highest - lowest), highest]}; // with the name of the pull-off below it
   const scaled = (p) => ({
     x: at(p),
     y: p.load * u.force,
@@ -81,9 +82,9 @@ export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
     x: at(s),
     y: s.load * u.force,
     kind: /^jump/.test(s.kind) ? 'fold' : 'extremum',
-    title: `${KINDS[s.kind]}: approach ${withError(s.approach * u.length)}, load ${withError(s.load * u.force)}`,
+    title: `${kindOf(s, control)}: approach ${withError(s.approach * u.length)}, load ${withError(s.load * u.force)}`,
   }));
-  const p = result.pull_off;
+  const p = pullOffOf(result);
   if (p)
     markers.push({
       x: at({approach: p.approach, load: -p.force}),
@@ -177,14 +178,14 @@ export function drawProfile(gapPlot, tractionPlot, {answer, rows, ranges, state}
 export function drawSeries(svg, {series, unit, label, log}, choose) {
   const found = series.filter((row) => row.force !== null);
   const points = found.map((row) => ({x: row.value, y: row.force}));
-  const {inside} = draw(svg, {
+  const {marks} = draw(svg, {
     label: `Pull-off force against ${label}: ${found.length} scenes`,
     x: {label, log, range: rangeOf(series.map((row) => row.value), log ? 0 : undefined)},
     y: {label: `pull-off force (${unit})`, range: rangeOf([0, ...points.map((p) => p.y)])},
     curves: [{kind: 'stable', points}],
     markers: points.map(({x, y}) => ({x, y, kind: 'scene', title: `${label} ${withError(x)}: pull-off force ${withError(y)} ${unit}`})),
   });
-  inside.querySelectorAll('.scene').forEach((marker, k) => marker.addEventListener('click', () => choose(found[k].value)));
+  marks.querySelectorAll('.scene').forEach((marker, k) => marker.addEventListener('click', () => choose(found[k].value)));
 }
 
 // Draws the pull-off force against the load of the preload.
