@@ -20,8 +20,8 @@ def fragment(command):
 
 
 def link(href, title, shape, **attributes):
-    """An element that links to a scene. A reader of the keyboard has the links of the page, which are fewer."""
-    made = ElementTree.Element(f"{{{SVG}}}a", {"class": "scene", "href": href, "tabindex": "-1"})
+    """An element that links to a scene. It opens beside the report. A reader of the keyboard has the links of the page, which are fewer."""
+    made = ElementTree.Element(f"{{{SVG}}}a", {"class": "scene", "href": href, "tabindex": "-1", "target": "_blank"})
     ElementTree.SubElement(made, f"{{{SVG}}}title").text = title
     ElementTree.SubElement(made, f"{{{SVG}}}{shape}", attributes)
     return made

@@ -359,7 +359,7 @@ def a_marker_of_the_report_opens_its_scene(reader, source):
         count = reader.browser.evaluate(f"(async () => {{ const figure = document.getElementById('figure-{name}'); await unpackAll(figure.querySelectorAll('.packed')); return figure.querySelectorAll('a.scene').length; }})()")
         assert count > 20, (name, count)
         x, y, address = reader.browser.evaluate(
-            f"(() => {{ const link = document.querySelectorAll('#figure-{name} a.scene')[{source.randrange(count)}]; link.scrollIntoView({{block: 'center', behavior: 'instant'}});"
+            f"(() => {{ const link = document.querySelectorAll('#figure-{name} a.scene')[{source.randrange(count)}]; link.scrollIntoView({{block: 'center', behavior: 'instant'}}); if (link.target.baseVal !== '_blank') return null; link.target.baseVal = '_self';"
             "const box = link.querySelector('circle').getBoundingClientRect(), x = box.x + box.width / 2, y = box.y + box.height / 2;"
             "return [x, y, document.elementFromPoint(x, y).closest('a').href.baseVal]; })()")
         for kind in ("mousePressed", "mouseReleased"):

@@ -260,7 +260,7 @@ class Links(unittest.TestCase):
             rows.append((float(scene["tabor"]), float(scene["amplitude"])))
             links.add(0, rows[-1:], point)
         text = self.drawn(links, rows)
-        found = re.findall(r'<a class="scene" href="live.html#([^"]*)" tabindex="-1"><title>([^<]*)</title><circle cx="([\d.]+)" cy="([\d.]+)"', text)
+        found = re.findall(r'<a class="scene" href="live.html#([^"]*)" tabindex="-1" target="_blank"><title>([^<]*)</title><circle cx="([\d.]+)" cy="([\d.]+)"', text)
         self.assertEqual([(address, title) for address, title, *_ in found], [
             (f"tabor={tabor}&amp;amplitude={amplitude}&amp;wavelength=20", f"Solve in the browser: tabor={tabor} &amp; more")
             for tabor in (0.1, 1, 10) for amplitude in (0.02, 0.2, 2.0)])
