@@ -87,7 +87,7 @@ po_status po_suggest(po_status status, const char *given, const char *known) {
     if (word > LONGEST || !isalpha((unsigned char)*given) ||
         !find(given, word, known, &name, &size))
       return status;
-    if (size)
+    if (size && (name != known || known[size])) /* not if it is the only one */
       return po_fail(status, "%s; did you mean %.*s?", po_message(), (int)size, name);
   }
   return status;

@@ -51,6 +51,7 @@ static const char MORE_HELP[] =
     "                                         compare\n"
     "  --profile-approach D    approach at which the profile is taken, in epsilon (default: that\n"
     "                          of the pull-off)\n"
+    "  --profile-approach-m D  the same in m, after --from-physical\n"
     "  --curve FILE            write the points of the branch to FILE, as CSV; for this and the other\n"
     "                          files, which are in SI units after --from-physical, - is standard\n"
     "                          output, and the result is printed on standard error\n"

@@ -103,17 +103,19 @@
   X(DISTANCE_M, "distance_m", POSITIVE, LENGTH, SI, NO_PLACE, VARIES, EVERY, "EPSILON", HELP("equilibrium distance, in m")) \
   X(RADIUS_M, "radius_m", POSITIVE, LENGTH, SI, SETS(RADIUS), VARIES, EVERY, "R", \
     HELP("radius of the sphere, in m; may be missing for other profiles")) \
-  X(AMPLITUDE_M, "amplitude_m", NOT_NEGATIVE, LENGTH, SI, SETS(AMPLITUDE), VARIES, EVERY, "A", NO_HELP) \
+  X(AMPLITUDE_M, "amplitude_m", NOT_NEGATIVE, LENGTH, SI, SETS(AMPLITUDE), VARIES, EVERY, "A", HELP("amplitude of the waviness, in m")) \
   X(WAVELENGTH_M, "wavelength_m", POSITIVE, LENGTH, SI, SETS(WAVELENGTH), VARIES, EVERY, "L", \
-    HELP("amplitude and wavelength of the waviness, in m")) \
+    HELP("wavelength of the waviness, in m")) \
   X(OUTER_RADIUS_M, "outer_radius_m", POSITIVE_OR_INFINITE, LENGTH, SI, SETS(OUTER_RADIUS), VARIES, SERIES, "R", \
     HELP("radius at which the elastic surface is cut, in m")) \
-  X(APPROACH_START_M, "approach_start_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH_START), CONSTANT, SOLVE, "D", NO_HELP) \
+  X(APPROACH_START_M, "approach_start_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH_START), CONSTANT, SOLVE, "D", \
+    HELP("approach at which the trace begins, in m")) \
   X(APPROACH_END_M, "approach_end_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH_END), CONSTANT, SOLVE, "D", \
-    HELP("approaches at which the trace begins and ends, in m")) \
-  X(PRELOAD_M, "preload_m", FINITE_OR_INFINITE, LENGTH, SI, SETS(PRELOAD), CONSTANT, SERIES, "D", NO_HELP) \
+    HELP("approach at which the trace ends, in m")) \
+  X(PRELOAD_M, "preload_m", FINITE_OR_INFINITE, LENGTH, SI, SETS(PRELOAD), CONSTANT, SERIES, "D", \
+    HELP("approach up to which the bodies are loaded, in m")) \
   X(PRELOAD_LOAD_N, "preload_load_n", NOT_NEGATIVE, LOAD, SI, SETS(PRELOAD_LOAD), CONSTANT, SERIES, "F", \
-    HELP("approach, in m, and load, in N, up to which the bodies are loaded")) \
+    HELP("load up to which the bodies are loaded, in N")) \
   X(STIFFNESS_N_PER_M, "stiffness_n_per_m", POSITIVE, STIFFNESS, SI, SETS(STIFFNESS), CONSTANT, SOLVE, "K", \
     HELP("stiffness of the spring through which the body is moved, in N/m"))
 
@@ -129,9 +131,10 @@
     HELP("the load at this approach, in epsilon, < 1 (bradley, rigid)")) \
   X(CONTACT_RADIUS, "contact_radius", NOT_NEGATIVE, LENGTH, TRACE, NO_PLACE, CONSTANT, PO_FOR_THEORY, "A", \
     HELP("load and approach at this contact radius, in epsilon (jkr, maugis, guduru, kesari-lew)")) \
-  X(APPROACH_M, "approach_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH), CONSTANT, PO_FOR_THEORY, "D", NO_HELP) \
+  X(APPROACH_M, "approach_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH), CONSTANT, PO_FOR_THEORY, "D", \
+    HELP("the load at this approach, in m")) \
   X(CONTACT_RADIUS_M, "contact_radius_m", NOT_NEGATIVE, LENGTH, SI, SETS(CONTACT_RADIUS), CONSTANT, PO_FOR_THEORY, "A", \
-    HELP("approach and contact radius, in m"))
+    HELP("load and approach at this contact radius, in m"))
 // clang-format on
 
 #endif

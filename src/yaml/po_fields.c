@@ -10,7 +10,7 @@
 #include "po_suggest.h"
 #include "po_text.h"
 
-enum { MOST_FIELDS = 32, PATH_LENGTH = 128 };
+enum { MOST_FIELDS = 64, PATH_LENGTH = 128 };
 
 /* The place of the loader in the tree. The path consists of known keys and numbers of items. */
 typedef struct {
