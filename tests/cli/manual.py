@@ -15,6 +15,8 @@ import sys
 NAME = re.compile(r"--[a-z][a-z0-9-]*[a-z0-9]")
 # In SI units, options for lengths end in -m. Help and pages say so in a sentence.
 METRES = "lengths are then given by options that end in -m"
+# Options that a verb reads in order to say why it does not take them.
+REFUSED = {"follow": {"--stiffness", "--stiffness-n-per-m"}}
 failed = []
 
 
@@ -73,7 +75,7 @@ def check_verb(program, root, pages, verb, helps):
     every = set().union(*(entries(text) for text in helps.values()))
     lengths = {option + "-m" for option in every if not option.endswith("-m")}
     accepted = {option for option in every | lengths if is_accepted(program, verb, option)}
-    documented = set(mine)
+    documented = mine | REFUSED.get(verb, set())
     if METRES in " ".join(helps[verb].split()):
         documented |= {option for option in accepted & lengths if option[:-2] in mine}
     if verb == "plot":  # its help refers to that of solve
