@@ -29,7 +29,8 @@ void po_given_name(const po_given *given, po_key key, char name[PO_KEY_NAME_LENG
   write_name(given, given->si && si >= 0 ? si : (int)key, name);
 }
 
-static const char UNCERTAIN[] = "; uncertain numbers, 0.05+-0.01, are an input of solve only";
+static const char UNCERTAIN[] =
+    "; an uncertain number is written 0.05+-0.01, and only solve takes it";
 
 /* Refuses a key with its value, or because it is missing. */
 static po_status __attribute__((format(printf, 3, 4)))

@@ -27,8 +27,8 @@ bool po_adjoint_sensitivity(const po_scene *scene, const po_surface *surface, co
 
 /* The standard deviation of the force by the noise of a smoothed table, and the change of the table
  * that belongs to it. Given: a minimum of the load; surface, not looked at for rigid bodies, whose
- * x is dp/dH (2/R) r dr at the initial gap. Returned: pull_off.noise and noise_change of the
- * result; NAN and NULL without a smoothed table, or off panels. Status: PO_NO_MEMORY. */
+ * x is dp/dH (2/R) r dr at the initial gap. Returned: `noise` of the result, whose change is
+ * NULL without a smoothed table, or off panels. Status: PO_NO_MEMORY. */
 po_status po_adjoint_noise(const po_scene *scene, const po_surface *surface,
                            const po_branch_point *p, po_result *result);
 

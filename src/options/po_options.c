@@ -51,6 +51,9 @@ void po_key_flag(int key, char flag[PO_FLAG_LENGTH_OF_NAME]) {
       *c = '-';
 }
 
+_Static_assert(PO_KEY_ALL + 32 < PO_MOST_OPTIONS,
+               "a verb has at most 30 options of its own, and --help");
+
 /* Appends the options of the keys of a verb (PO_FOR_...) to a table of `count` rows. Returned: the
  * number of rows. */
 static size_t add_key_options(unsigned verb, struct option table[PO_MOST_OPTIONS], size_t count) {

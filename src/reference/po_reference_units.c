@@ -23,7 +23,7 @@ typedef struct {
   char *next;
 } store;
 
-/* Divides the number in a text, unless it is another one, as -. */
+/* Divides the number in a text; a text that is no number, such as -, stays. */
 static void convert(char **text, double factor, store *to) {
   double value = 0;
   if (!po_number_parse(*text, &value))

@@ -144,9 +144,7 @@ typedef struct {
                          the contact radius; NAN: unknown, no contact */
     bool has_sensitivity; /* whether `sensitivity` is set; on panels only */
     po_sensitivity
-        sensitivity; /* d ln(force) / d ln(parameter); its residual and rounding are NAN */
-    double noise;    /* standard deviation of the force by the noise of a smoothed table, to first
-                        order; NAN: none, or not on panels */
+        sensitivity;    /* d ln(force) / d ln(parameter); its residual and rounding are NAN */
     po_pressed pressed; /* the least preload with this pull-off; NAN: none on the trace */
     po_pressed
         until; /* the hardest preload with this pull-off; NAN: the trace ended before it changed */

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "po_csv.h"
-#include "po_elementary.h"
 #include "po_hermite.h"
 #include "po_memory.h"
 #include "po_profile_kind.h"
@@ -306,43 +305,6 @@ static po_status make(const char *path, double scale, double smooth, const po_cs
 
 size_t po_profile_table_points(const po_profile_table *t) {
   return t->smoothing.knots ? t->smoothing.points : t->rows;
-}
-
-size_t po_profile_table_interval(const po_profile_table *t, double r) {
-  size_t low = 0, high = t->rows - 1;
-  while (high - low > 1) {
-    const size_t middle = (low + high) / 2;
-    if (t->r[middle] <= r)
-      low = middle;
-    else
-      high = middle;
-  }
-  return low;
-}
-
-po_status po_profile_table_noise(const po_profile_table *t, size_t count, const double *r,
-                                 const double *weight, double *deviation, double *change) {
-  double *const by_gap = change, *const by_slope = change + t->rows;
-  const size_t last = t->rows - 1;
-  memset(change, 0, 2 * t->rows * sizeof *change);
-  for (size_t i = 0; i < count; ++i) {
-    const double ratio = r[i] / t->r[last];
-    if (ratio >= 1.0) { /* gap (r/end)^(end slope/gap) */
-      const double power = weight[i] * po_pow(ratio, t->growth), log = po_log(ratio);
-      by_gap[last] += power * (1.0 - t->growth * log);
-      by_gap[0] -= power * (1.0 - t->growth * log);
-      by_slope[last] += power * t->r[last] * log;
-      continue;
-    }
-    const size_t k = po_profile_table_interval(t, r[i]);
-    const po_hermite w = po_hermite_at(r[i] - t->r[k], t->r[k + 1] - t->r[k]);
-    by_gap[k] += weight[i] * w.f0;
-    by_gap[k + 1] += weight[i] * w.f1;
-    by_slope[k] += weight[i] * w.d0;
-    by_slope[k + 1] += weight[i] * w.d1;
-    by_gap[0] -= weight[i];
-  }
-  return po_smoothing_deviation(&t->smoothing, by_gap, by_slope, deviation);
 }
 
 po_status po_profile_table_displace(const po_profile_table *t, const double *change,

@@ -51,9 +51,6 @@ po_status po_profile_table_read(const char *path, double scale, double smooth,
 /* The number of rows of the file. */
 size_t po_profile_table_points(const po_profile_table *table);
 
-/* The interval of a radius, by bisection; the last one beyond the end. */
-size_t po_profile_table_interval(const po_profile_table *table, double r);
-
 /* The standard deviation that noise causes in the sum of weight times gap over some radii. Given: a
  * smoothed table; r and weight, count. Returned: deviation; change, 2 rows, of the gaps and then of
  * the slopes: the most probable one by which the sum grows by the deviation. Status: PO_NO_MEMORY.

@@ -1,5 +1,6 @@
 /* The profile of a table (po_profile_table.h). */
 #include <math.h>
+#include <string.h>
 
 #include "po_elementary.h"
 #include "po_hermite.h"
@@ -7,6 +8,19 @@
 #include "po_profile_table.h"
 #include "po_root.h"
 #include "po_two_functions.h"
+
+/* The interval of a radius, by bisection; the last one beyond the end. */
+static size_t interval_of(const po_profile_table *t, double r) {
+  size_t low = 0, high = t->rows - 1;
+  while (high - low > 1) {
+    const size_t middle = (low + high) / 2;
+    if (t->r[middle] <= r)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
 
 static double end(const po_profile *profile) {
   return profile->table->r[profile->table->rows - 1];
@@ -18,7 +32,7 @@ static double gap(const po_profile *profile, double radius, double r) {
   const size_t last = t->rows - 1;
   if (r > t->r[last])
     return t->gap[last] * po_pow(r / t->r[last], t->growth);
-  const size_t k = po_profile_table_interval(t, r);
+  const size_t k = interval_of(t, r);
   return po_hermite_value(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], r - t->r[k],
                           t->r[k + 1] - t->r[k]);
 }
@@ -27,7 +41,7 @@ static double slope(const po_profile *profile, double radius, double r) {
   const po_profile_table *t = profile->table;
   if (r > t->r[t->rows - 1])
     return t->growth * gap(profile, radius, r) / r;
-  const size_t k = po_profile_table_interval(t, r);
+  const size_t k = interval_of(t, r);
   return po_hermite_rate(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], r - t->r[k],
                          t->r[k + 1] - t->r[k]);
 }
@@ -49,7 +63,7 @@ static po_two gap_exact(const po_profile *profile, double radius, double r) {
     return po_two_times(
         po_two_pow(po_two_divide(po_two_of(r), po_two_of(t->r[last])), po_two_of(t->growth)),
         t->gap[last]);
-  const size_t k = po_profile_table_interval(t, r);
+  const size_t k = interval_of(t, r);
   const po_two h = po_two_sum(t->r[k + 1], -t->r[k]), x = po_two_divide(po_two_sum(r, -t->r[k]), h),
                y = po_two_subtract(po_two_of(1.0), x);
   const po_two left = part_of(t->gap[k], po_two_times(h, t->slope[k]), x, y),
@@ -62,7 +76,7 @@ static double gap_beyond(const po_profile *profile, double radius, double r) {
   const size_t last = t->rows - 1;
   if (r >= t->r[last])
     return gap(profile, radius, r);
-  const size_t k = po_profile_table_interval(t, r);
+  const size_t k = interval_of(t, r);
   return isinf(t->detail) ? gap(profile, radius, r) : fmin(t->beyond[k], t->beyond[k + 1]);
 }
 
@@ -93,7 +107,7 @@ static double radius_of_gap(const po_profile *profile, double radius, double sou
 
 static double next_joint(const po_profile *profile, double r) {
   const po_profile_table *t = profile->table;
-  return r < t->r[t->rows - 1] ? t->r[po_profile_table_interval(t, r) + 1] : INFINITY;
+  return r < t->r[t->rows - 1] ? t->r[interval_of(t, r) + 1] : INFINITY;
 }
 
 static double growth(const po_profile *profile) {
@@ -110,6 +124,31 @@ static bool is_convex(const po_profile *profile) {
 
 static po_status check(const po_profile *profile) {
   return po_profile_require_positive(profile, PO_TABLE_SCALE);
+}
+
+po_status po_profile_table_noise(const po_profile_table *t, size_t count, const double *r,
+                                 const double *weight, double *deviation, double *change) {
+  double *const by_gap = change, *const by_slope = change + t->rows;
+  const size_t last = t->rows - 1;
+  memset(change, 0, 2 * t->rows * sizeof *change);
+  for (size_t i = 0; i < count; ++i) {
+    const double ratio = r[i] / t->r[last];
+    if (ratio >= 1.0) { /* gap (r/end)^(end slope/gap) */
+      const double power = weight[i] * po_pow(ratio, t->growth), log = po_log(ratio);
+      by_gap[last] += power * (1.0 - t->growth * log);
+      by_gap[0] -= power * (1.0 - t->growth * log);
+      by_slope[last] += power * t->r[last] * log;
+      continue;
+    }
+    const size_t k = interval_of(t, r[i]);
+    const po_hermite w = po_hermite_at(r[i] - t->r[k], t->r[k + 1] - t->r[k]);
+    by_gap[k] += weight[i] * w.f0;
+    by_gap[k + 1] += weight[i] * w.f1;
+    by_slope[k] += weight[i] * w.d0;
+    by_slope[k + 1] += weight[i] * w.d1;
+    by_gap[0] -= weight[i];
+  }
+  return po_smoothing_deviation(&t->smoothing, by_gap, by_slope, deviation);
 }
 
 const po_profile_kind PO_TABLE = {.name = "table",

@@ -10,7 +10,7 @@
 #include "po_suggest.h"
 #include "po_text.h"
 
-enum { MOST_FIELDS = 64, PATH_LENGTH = 128 };
+enum { PATH_LENGTH = 128 };
 
 /* The place of the loader in the tree. The path consists of known keys and numbers of items. */
 typedef struct {
@@ -128,9 +128,16 @@ static po_status load_value(place *at, const yaml_node_t *node, const po_field *
   }
 }
 
+static bool has_key(const place *at, const yaml_node_t *mapping, const char *key) {
+  const yaml_node_pair_t *pair = mapping->data.mapping.pairs.start;
+  while (pair < mapping->data.mapping.pairs.top &&
+         strcmp(text_of(node_of(at, pair->key)), key) != 0)
+    ++pair;
+  return pair < mapping->data.mapping.pairs.top;
+}
+
 static po_status load_mapping(place *at, const yaml_node_t *node, const po_field *fields,
                               char *structure) {
-  bool given[MOST_FIELDS] = {false};
   po_status status = PO_OK;
   for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
        !status && pair < node->data.mapping.pairs.top; ++pair) {
@@ -140,13 +147,12 @@ static po_status load_mapping(place *at, const yaml_node_t *node, const po_field
       ++field;
     if (!field->key)
       return refuse_key(at, key, fields);
-    given[field - fields] = true;
     const size_t length = enter_key(at, field->key);
     status = load_value(at, node_of(at, pair->value), field, structure);
     leave(at, length);
   }
   for (const po_field *field = fields; !status && field->key; ++field)
-    if (!field->optional && !given[field - fields]) {
+    if (!field->optional && !has_key(at, node, field->key)) {
       enter_key(at, field->key);
       status = refuse(at, field);
     }

@@ -97,6 +97,12 @@ def test_assumptions():
         40 / (1 + 100 * 0.02 * (2 * math.pi / 8) ** 2) ** (1 / 3), rel=1e-12)
     stiff = rows("--tabor 0.02 --amplitude 1 --wavelength 20")
     assert [name for name in NAMES if stiff[name]["assumptions"] == "yes"] == ["rigid", "dmt", "rumpf-rabinowicz"]
+    # The attraction of a cone depends on the form of the law unless its range is short, that of a sphere does not.
+    for coupling, assumptions, off in (0.05, "no", 0.5), (30, "yes", 1e-3):
+        cone = rows(f"--profile cone:0.3 --coupling {coupling}")["maugis"]
+        assert cone["assumptions"] == assumptions and (abs(cone["deviation"]) < off) == (assumptions == "yes")
+    assert rows("--profile cone:0.3 --coupling 0.05")["maugis"]["decided_by"] == "tabor_of_shape"
+    assert rows("--tabor 0.5")["maugis"]["assumptions"] == "yes"
     # steep waves: the contact has grooves, and Maugis-Dugdale has no state
     steep = "--tabor 0.65767 --amplitude 1.33333 --wavelength 20 --preload-load 0.265258"
     assert document(f"solve {steep} --want profile")["contact"]["grooves"] > 0

@@ -216,6 +216,7 @@ static const char *const SPREADSHEET[] = {
     "# x: 1  \nr , gap\n 2.385 ,\t-1\t\n",
     "\xEF\xBB\xBF# x: 1\r\n \"r\" , \"gap\" \r\n2.385,-1\r\n",
     "# x: 1\n\nr,gap\n2.385,-1\n\n  \n\n",
+    "# x: 1\r\r\r\nr,gap\r\r\n2.385,-1\r\r\n", /* of two conversions */
 };
 
 START_TEST(csv_reads_what_spreadsheets_write) {
