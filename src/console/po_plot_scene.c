@@ -49,7 +49,7 @@ static po_status print(po_plot_picture *picture) {
   po_text text = {0};
   po_plot_size(&columns, &rows);
   const po_status status = po_plot_print(picture, columns, rows, &text);
-  enum { LINE = 80 }; /* the command of a scene is longer, and known to who gave it */
+  enum { LINE = 80 }; /* that of a scene is longer, and known to whoever gave it */
   if (!status && strlen(picture->caption) < LINE)
     puts(picture->caption);
   if (!status)
