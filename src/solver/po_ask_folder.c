@@ -24,12 +24,20 @@ static const time_t DEBRIS_AGE = 600;
 static int remove_entry(const char *path, const struct stat *found, int type, struct FTW *walk) {
   (void)found;
   (void)type;
-  (void)walk;
-  return remove(path);
+  const bool last =
+      walk->level == 0 || (walk->level == 1 && strcmp(path + walk->base, KEY_FILE) == 0);
+  return last ? 0 : remove(path);
 }
 
+/* The key goes last: if the program is killed in between, the next run still knows the folder as
+ * one of its own. */
 void po_ask_folder_remove(const char *folder) {
+  char *key = po_path_join(folder, KEY_FILE);
   nftw(folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS | FTW_MOUNT);
+  if (key)
+    remove(key);
+  remove(folder);
+  free(key);
 }
 
 /* Writes the key into the folder and locks the file. */

@@ -5,7 +5,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
+#include "po_ask_folder.h"
 #include "po_case.h"
 #include "po_file.h"
 #include "po_run.h"
@@ -120,12 +123,43 @@ START_TEST(a_run_too_large_is_refused) {
 }
 END_TEST
 
+/* A program that is killed while it removes the folder of a solver must leave its key or nothing:
+ * a folder with a response and without a key is nobody's, and stays for ten minutes. */
+START_TEST(the_key_of_a_folder_is_removed_last) {
+  po_ask_folder made;
+  ck_assert_int_eq(po_ask_folder_make(folder, "key", &made), PO_OK);
+  ck_assert_int_eq(po_file_write(made.request, "{}", 2), PO_OK);
+  ck_assert_int_eq(po_file_write(made.response, "{}", 2), PO_OK);
+  const int events = inotify_init();
+  ck_assert_int_ge(inotify_add_watch(events, made.path, IN_DELETE), 0);
+  po_ask_folder_remove(made.path);
+  ck_assert(!po_path_exists(made.path));
+  _Alignas(struct inotify_event) char bytes[4096];
+  const ssize_t size = read(events, bytes, sizeof bytes);
+  const char *last = NULL;
+  int removed = 0;
+  for (ssize_t i = 0; i < size;) {
+    const struct inotify_event *event = (const struct inotify_event *)(bytes + i);
+    if (event->mask & IN_DELETE) {
+      last = event->name;
+      ++removed;
+    }
+    i += (ssize_t)(sizeof *event + event->len);
+  }
+  ck_assert_int_eq(removed, 3);
+  ck_assert_str_eq(last, "key");
+  close(events);
+  po_ask_folder_clear(&made);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, setup, teardown);
   tcase_add_test(tests, nothing_is_solved_after_a_stop);
   tcase_add_test(tests, nothing_is_missing_of_what_is_kept);
   tcase_add_test(tests, a_line_that_is_missing_is_not_made_after_a_stop);
   tcase_add_test(tests, points_in_the_journal_are_not_missing);
+  tcase_add_test(tests, the_key_of_a_folder_is_removed_last);
   tcase_add_test(tests, a_run_too_large_is_refused);
 }
 
