@@ -43,13 +43,13 @@ for header in gsl nettle jansson.h jansson_config.h; do ln -sfn "/usr/include/$h
 # write_ninja: prints the rules of the module. Every source file of the rooms of libpulloff is in it, except for those that
 # use OpenBLAS or a file system (machine/machine.c).
 version=$(sed -n "s/^ *version: '\(.*\)',/\1/p" meson.build)
-rooms=library
+rooms='library format series'
 found=
 while [ "$rooms" != "$found" ]; do # with the rooms on which these depend
   found=$rooms
   rooms=$(for room in $found; do
     echo "$room"
-    sed -n 's/.*dependencies: //p' "src/$room/meson.build" | grep -o '[a-z]*_dep' | sed 's/_dep$//'
+    sed -n "s/^  \['$room', \[\([^]]*\)\].*/\1/p" src/meson.build | tr -d "'," | tr ' ' '\n'
   done | sort -u | while read -r room; do [ ! -d "src/$room" ] || echo "$room"; done)
 done
 write_ninja() {
