@@ -27,22 +27,25 @@ double po_compare_obtained(po_quantity quantity, const po_result *result) {
   return po_block_number(&PO_ALL_ROWS, result, po_quantity_of(quantity)->path);
 }
 
-static po_status compare_single(const po_case *kase, size_t point, const po_check *check,
-                                const po_reference *reference, const po_result *result,
-                                po_check_results *check_results) {
+po_check_result *po_compare_add(const po_comparison *c, const char *name, const char *suffix,
+                                double obtained, po_reference_number expected) {
+  return po_check_results_add(c->check_results, c->kase, c->point, c->check, name, suffix, obtained,
+                              expected);
+}
+
+static po_status compare_single(const po_comparison *c) {
+  const po_quantity quantity = c->check->quantity;
+  const po_result *result = c->result;
   po_reference_number expected = UNKNOWN;
-  const po_request request = po_check_request(check, &kase->points[point].request);
-  const po_status status = po_reference_find(reference, check->quantity, &request, &expected);
+  const po_status status = po_reference_find(c->reference, quantity, &c->request, &expected);
   if (status && status != PO_NOT_FOUND)
     return status;
-  if (status)
-    expected = UNKNOWN;
   po_check_result *item =
-      po_check_results_add(check_results, kase, point, check, po_quantity_name(check->quantity), "",
-                           po_compare_obtained(check->quantity, result), expected);
+      po_compare_add(c, po_quantity_name(quantity), "", po_compare_obtained(quantity, result),
+                     status ? UNKNOWN : expected);
   if (!item)
     return PO_NO_MEMORY;
-  if (check->quantity != PO_FOLD_COUNT && result->has_pull_off) {
+  if (quantity != PO_FOLD_COUNT && result->has_pull_off) {
     item->approach = result->pull_off.approach;
     item->load = -result->pull_off.force;
   }
@@ -93,14 +96,12 @@ static po_status compare_planes(const po_result *result, const po_reference_poin
   return status;
 }
 
-static po_status compare_curve(const po_case *kase, size_t point, const po_check *check,
-                               const po_reference *reference, const po_result *result,
-                               po_check_results *check_results) {
+static po_status compare_curve(const po_comparison *c) {
   po_reference_point *theirs = NULL;
   size_t count = 0;
   po_curve_verdict found = {0};
-  const po_request request = po_check_request(check, &kase->points[point].request);
-  po_status status = po_reference_points(reference, PO_CURVE, &request, result, &theirs, &count);
+  po_status status =
+      po_reference_points(c->reference, PO_CURVE, &c->request, c->result, &theirs, &count);
   const bool known = status == PO_OK;
   double uncertainty = (double)NAN;
   for (size_t i = 0; known && i < count; ++i)
@@ -108,15 +109,15 @@ static po_status compare_curve(const po_case *kase, size_t point, const po_check
         fmax(uncertainty, fmax(theirs[i].approach_uncertainty, theirs[i].load_uncertainty));
   if (known)
     /* published points are markers read off a figure, which are not in the order of the branch */
-    status = compare_planes(result, theirs, count, reference->ledger == PO_LEDGER_PUBLISHED,
-                            check->tolerance, &found);
+    status = compare_planes(c->result, theirs, count, c->reference->ledger == PO_LEDGER_PUBLISHED,
+                            c->check->tolerance, &found);
   free(theirs);
   if (status && status != PO_NOT_FOUND)
     return status;
-  const bool compared = known && found.compared > 0 && result->status == PO_OK;
-  po_check_result *item = po_check_results_add(
-      check_results, kase, point, check, "curve", "", compared ? found.distance : (double)NAN,
-      (po_reference_number){known ? 0 : (double)NAN, uncertainty});
+  const bool compared = known && found.compared > 0 && c->result->status == PO_OK;
+  po_check_result *item =
+      po_compare_add(c, "curve", "", compared ? found.distance : (double)NAN,
+                     (po_reference_number){known ? 0 : (double)NAN, uncertainty});
   if (!item)
     return PO_NO_MEMORY;
   item->obtained = item->expected = (double)NAN;
@@ -151,8 +152,9 @@ static void explain_no_reverse_trace(po_check_result *item, const po_result *res
 }
 
 /* Writes the reason into the note if nothing was compared. */
-static void explain_no_comparison(po_check_result *item, const po_reference *reference,
-                                  const po_request *request, const po_result *result) {
+static void explain_no_comparison(po_check_result *item, const po_comparison *c) {
+  const po_reference *reference = c->reference;
+  const po_result *result = c->result;
   const size_t size = sizeof item->note;
   if (item->verdict == PO_NO_RESULT && result->status)
     snprintf(item->note, size, "%.190s", result->reason);
@@ -165,8 +167,8 @@ static void explain_no_comparison(po_check_result *item, const po_reference *ref
              po_pins_exist(reference) ? "not pinned in" : "there is no file", reference->shown);
   else if (item->verdict == PO_MISSING_REFERENCE) {
     po_text nearest = {0};
-    const bool found =
-        reference->type == PO_REFERENCE_TABLE && po_reference_nearest(reference, request, &nearest);
+    const bool found = reference->type == PO_REFERENCE_TABLE &&
+                       po_reference_nearest(reference, &c->request, &nearest);
     snprintf(item->note, size, "the reference does not contain this scene%s%.150s",
              found ? "; " : "", po_text_string(&nearest));
     po_text_clear(&nearest);
@@ -174,46 +176,54 @@ static void explain_no_comparison(po_check_result *item, const po_reference *ref
 }
 
 /* Compares each counter of work with its pin. */
-static po_status compare_work(const po_case *kase, size_t point, const po_check *check,
-                              const po_reference *reference, const po_result *result,
-                              po_check_results *check_results) {
+static po_status compare_work(const po_comparison *c) {
   for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter) {
     char pin[PO_PIN_NAME_LENGTH], name[PO_PIN_NAME_LENGTH];
     po_reference_number expected = {(double)NAN, 0};
     snprintf(pin, sizeof pin, "work/%s", po_work_name(counter));
     snprintf(name, sizeof name, "work_%s", po_work_name(counter));
-    const po_status status =
-        po_pins_value(reference, pin, &kase->points[point].request, &expected.value);
+    const po_status status = po_pins_value(c->reference, pin, &c->request, &expected.value);
     if (status && status != PO_NOT_FOUND)
       return status;
     const double done =
-        result->status == PO_OK ? po_work_count(&result->work, counter) : (double)NAN;
-    if (!po_check_results_add(check_results, kase, point, check, name, po_work_name(counter), done,
-                              expected))
+        c->result->status == PO_OK ? po_work_count(&c->result->work, counter) : (double)NAN;
+    if (!po_compare_add(c, name, po_work_name(counter), done, expected))
       return PO_NO_MEMORY;
   }
   return PO_OK;
 }
 
-/* The folds or the extrema of a result and of the reference, over the common range. */
+/* The folds or the extrema of a branch. */
 typedef struct {
-  const po_special_point *ours;
+  po_reference_point *points; /* to be freed */
   size_t count;
-  po_reference_point *theirs; /* to be freed */
-  size_t their_count;
+} point_list;
+
+/* Those of a result and of the reference, over the common range. */
+typedef struct {
+  point_list ours, theirs;
   bool known, solved; /* the reference contains the scene; the scene was solved */
-} special_point_lists;
+} point_lists;
+
+static po_status take_ours(const po_special_point *marks, size_t count, point_list *ours) {
+  *ours = (point_list){po_allocate(count, sizeof *ours->points), count};
+  if (!ours->points)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < count; ++i)
+    ours->points[i] = (po_reference_point){
+        .approach = marks[i].approach, .load = marks[i].load, .kind = marks[i].kind};
+  return PO_OK;
+}
 
 /* Removes the special points before the start of the traced branch (NAN: the branch has no limited
  * start), which are those that the traced branch lacks. Only the first ones of the list are
  * removed: later on the branch the approach can again be smaller than at the start. */
-static size_t drop_before_start(po_reference_point *points, size_t count, size_t traced,
-                                double start) {
+static void drop_before_start(point_list *list, size_t traced, double start) {
   size_t first = 0;
-  while (count - first > traced && points[first].approach < start)
+  while (list->count - first > traced && list->points[first].approach < start)
     first += 1;
-  memmove(points, points + first, (count - first) * sizeof *points);
-  return count - first;
+  list->count -= first;
+  memmove(list->points, list->points + first, list->count * sizeof *list->points);
 }
 
 /* Counts the special points up to the end of the shorter of two branches. On a wavy sphere the
@@ -223,139 +233,121 @@ static size_t drop_before_start(po_reference_point *points, size_t count, size_t
  * counterpart.
  * Given: `found`, the number of special points of the shorter branch, which all have a counterpart;
  * `end`, the approach of its end. */
-static size_t count_ours_up_to(const po_special_point *ours, size_t count, size_t found,
-                               double end) {
-  for (size_t i = found; i < count; ++i)
-    if (ours[i].approach > end)
+static size_t count_up_to(const point_list *list, size_t found, double end) {
+  for (size_t i = found; i < list->count; ++i)
+    if (list->points[i].approach > end)
       return i;
-  return count;
-}
-
-static size_t count_theirs_up_to(const po_reference_point *theirs, size_t count, size_t found,
-                                 double end) {
-  for (size_t i = found; i < count; ++i)
-    if (theirs[i].approach > end)
-      return i;
-  return count;
+  return list->count;
 }
 
 /* Finds both lists over the common range. */
-static po_status find_lists(const po_request *request, bool folds, const po_reference *reference,
-                            const po_result *result, special_point_lists *l) {
-  *l = (special_point_lists){.ours = folds ? result->folds : result->extrema,
-                             .count = folds ? result->fold_count : result->extremum_count,
-                             .solved = result->status == PO_OK};
-  po_status status = po_reference_points(reference, folds ? PO_FOLDS : PO_EXTREMA, request, result,
-                                         &l->theirs, &l->their_count);
+static po_status find_lists(const po_comparison *c, bool folds, point_lists *l) {
+  const po_result *result = c->result;
+  *l = (point_lists){.solved = result->status == PO_OK};
+  po_status status = folds ? take_ours(result->folds, result->fold_count, &l->ours)
+                           : take_ours(result->extrema, result->extremum_count, &l->ours);
+  if (!status)
+    status = po_reference_points(c->reference, folds ? PO_FOLDS : PO_EXTREMA, &c->request, result,
+                                 &l->theirs.points, &l->theirs.count);
   if (status == PO_NOT_FOUND)
     return PO_OK;
   double complete_to = (double)INFINITY;
   if (!status)
-    status = po_reference_complete_to(reference, request, &complete_to);
+    status = po_reference_complete_to(c->reference, &c->request, &complete_to);
   if (status)
     return status;
   l->known = true;
   if (!l->solved)
     return PO_OK;
-  l->their_count = drop_before_start(l->theirs, l->their_count, l->count, result->start);
-  const size_t ours = l->count, theirs = l->their_count;
-  l->count = count_ours_up_to(l->ours, ours, theirs, complete_to);
-  l->their_count = count_theirs_up_to(l->theirs, theirs, ours, result->ended.approach);
+  drop_before_start(&l->theirs, l->ours.count, result->start);
+  const size_t ours = l->ours.count, theirs = l->theirs.count;
+  l->ours.count = count_up_to(&l->ours, theirs, complete_to);
+  l->theirs.count = count_up_to(&l->theirs, ours, result->ended.approach);
   return PO_OK;
 }
 
 /* Reports whether the two lists have the same kinds of special points in the same order. */
-static bool lists_correspond(const po_special_point *ours, size_t count,
-                             const po_reference_point *theirs, size_t their_count) {
-  bool same = count == their_count;
-  for (size_t i = 0; same && i < count; ++i)
-    same = ours[i].kind == theirs[i].kind;
+static bool lists_correspond(const point_lists *l) {
+  bool same = l->ours.count == l->theirs.count;
+  for (size_t i = 0; same && i < l->ours.count; ++i)
+    same = l->ours.points[i].kind == l->theirs.points[i].kind;
   return same;
 }
 
 /* Describes the difference of two lists: names the special point of the longer list that is
  * furthest from all points of its kind in the other list. */
-static void describe_difference(const po_special_point *ours, size_t count,
-                                const po_reference_point *theirs, size_t their_count, char *note,
-                                size_t size) {
-  const bool missing = their_count > count;
-  const size_t more = missing ? their_count : count, fewer = missing ? count : their_count;
+static void describe_difference(const point_lists *l, char *note, size_t size) {
+  const bool missing = l->theirs.count > l->ours.count;
+  const point_list *more = missing ? &l->theirs : &l->ours,
+                   *fewer = missing ? &l->ours : &l->theirs;
   double furthest = -1;
-  size_t named = 0;
-  for (size_t i = 0; i < more; ++i) {
+  const po_reference_point *named = NULL;
+  for (size_t i = 0; i < more->count; ++i) {
+    const po_reference_point *a = &more->points[i];
     double nearest = (double)INFINITY;
-    for (size_t j = 0; j < fewer; ++j) {
-      const po_special_point *a = &ours[missing ? j : i];
-      const po_reference_point *b = &theirs[missing ? i : j];
+    for (size_t j = 0; j < fewer->count; ++j) {
+      const po_reference_point *b = &fewer->points[j];
       if (a->kind == b->kind)
         nearest = fmin(nearest, po_hypot(a->approach - b->approach, a->load - b->load));
     }
     if (nearest > furthest) {
       furthest = nearest;
-      named = i;
+      named = a;
     }
   }
-  if (more == 0)
-    return;
-  snprintf(note, size, "%s %s near approach %.4g, load %.4g (%zu found, reference %zu)",
-           missing ? "missing" : "spurious",
-           po_special_kind_name(missing ? theirs[named].kind : ours[named].kind),
-           missing ? theirs[named].approach : ours[named].approach,
-           missing ? theirs[named].load : ours[named].load, count, their_count);
+  if (named)
+    snprintf(note, size, "%s %s near approach %.4g, load %.4g (%zu found, reference %zu)",
+             missing ? "missing" : "spurious", po_special_kind_name(named->kind), named->approach,
+             named->load, l->ours.count, l->theirs.count);
 }
 
-static po_status add_pairs(const po_case *kase, size_t point, const po_check *check,
-                           const po_special_point *ours, const po_reference_point *theirs,
-                           size_t count, po_check_results *check_results) {
-  const bool folds = check->quantity == PO_FOLDS;
-  for (size_t i = 0; i < count; ++i)
+static po_status add_pairs(const po_comparison *c, const point_lists *l) {
+  static const char *const NAMES[2][2] = {{"extremum_approach", "extremum_load"},
+                                          {"fold_approach", "fold_load"}};
+  for (size_t i = 0; i < l->ours.count; ++i)
     for (int load = 0; load < 2; ++load) {
+      const po_reference_point *ours = &l->ours.points[i], *theirs = &l->theirs.points[i];
       char suffix[64];
-      snprintf(suffix, sizeof suffix, "%s-%zu/%s", po_special_kind_name(ours[i].kind), i + 1,
+      snprintf(suffix, sizeof suffix, "%s-%zu/%s", po_special_kind_name(ours->kind), i + 1,
                load ? "load" : "approach");
-      const char *name = load ? (folds ? "fold_load" : "extremum_load")
-                              : (folds ? "fold_approach" : "extremum_approach");
-      const po_reference_number expected = {load ? theirs[i].load : theirs[i].approach,
-                                            load ? theirs[i].load_uncertainty
-                                                 : theirs[i].approach_uncertainty};
-      po_check_result *item =
-          po_check_results_add(check_results, kase, point, check, name, suffix,
-                               load ? ours[i].load : ours[i].approach, expected);
+      const po_reference_number expected =
+          load ? (po_reference_number){theirs->load, theirs->load_uncertainty}
+               : (po_reference_number){theirs->approach, theirs->approach_uncertainty};
+      po_check_result *item = po_compare_add(c, NAMES[c->check->quantity == PO_FOLDS][load], suffix,
+                                             load ? ours->load : ours->approach, expected);
       if (!item)
         return PO_NO_MEMORY;
-      item->approach = ours[i].approach;
-      item->load = ours[i].load;
+      item->approach = ours->approach;
+      item->load = ours->load;
     }
   return PO_OK;
 }
 
 /* Compares folds or extrema: their number and kinds, and, if these agree, approach and load of
  * each. Status: as po_compare. */
-static po_status compare_special_points(const po_case *kase, size_t point, const po_check *check,
-                                        const po_reference *reference, const po_result *result,
-                                        po_check_results *check_results) {
-  const po_request request = po_check_request(check, &kase->points[point].request);
-  const bool count_only = check->quantity == PO_FOLD_COUNT;
-  const bool folds = check->quantity != PO_EXTREMA;
-  special_point_lists l;
-  po_status status = find_lists(&request, folds, reference, result, &l);
+static po_status compare_special_points(const po_comparison *c) {
+  const bool count_only = c->check->quantity == PO_FOLD_COUNT;
+  const bool folds = c->check->quantity != PO_EXTREMA;
+  point_lists l;
+  po_status status = find_lists(c, folds, &l);
   if (!status) {
-    const po_reference_number expected = {l.known ? (double)l.their_count : (double)NAN, 0};
-    po_check_result *item = po_check_results_add(
-        check_results, kase, point, check, folds ? "fold_count" : "extremum_count",
-        count_only ? "" : "count", l.solved ? (double)l.count : (double)NAN, expected);
+    const po_reference_number expected = {l.known ? (double)l.theirs.count : (double)NAN, 0};
+    po_check_result *item =
+        po_compare_add(c, folds ? "fold_count" : "extremum_count", count_only ? "" : "count",
+                       l.solved ? (double)l.ours.count : (double)NAN, expected);
     if (!item)
       status = PO_NO_MEMORY;
-    else if (!l.known || !l.solved || (count_only && l.count == l.their_count))
+    else if (!l.known || !l.solved || (count_only && l.ours.count == l.theirs.count))
       status = PO_OK;
-    else if (!lists_correspond(l.ours, l.count, l.theirs, l.their_count)) {
+    else if (!lists_correspond(&l)) {
       if (!count_only)
         item->verdict = PO_OUTSIDE;
-      describe_difference(l.ours, l.count, l.theirs, l.their_count, item->note, sizeof item->note);
+      describe_difference(&l, item->note, sizeof item->note);
     } else
-      status = add_pairs(kase, point, check, l.ours, l.theirs, l.count, check_results);
+      status = add_pairs(c, &l);
   }
-  free(l.theirs);
+  free(l.ours.points);
+  free(l.theirs.points);
   return status;
 }
 
@@ -366,23 +358,22 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
       !po_check_concerns(check, &kase->points[point].request))
     return PO_OK;
   const size_t before = check_results->count;
-  const po_request request = po_check_request(check, &kase->points[point].request);
-  po_status status = PO_OK;
-  if (is_single(check->quantity, reference))
-    status = compare_single(kase, point, check, reference, result, check_results);
-  else if (check->quantity == PO_CURVE)
-    status = compare_curve(kase, point, check, reference, result, check_results);
-  else if (check->quantity == PO_JUMPS)
-    status = po_compare_jumps(kase, point, check, reference, result, check_results);
-  else if (po_quantity_is_steps(check->quantity))
-    status = po_compare_steps(kase, point, check, reference, result, check_results);
-  else if (check->quantity == PO_WORK)
-    status = compare_work(kase, point, check, reference, result, check_results);
-  else
-    status = compare_special_points(kase, point, check, reference, result, check_results);
+  const po_comparison c = {kase,
+                           point,
+                           check,
+                           reference,
+                           result,
+                           check_results,
+                           po_check_request(check, &kase->points[point].request)};
+  const po_status status = is_single(check->quantity, reference)   ? compare_single(&c)
+                           : check->quantity == PO_CURVE           ? compare_curve(&c)
+                           : check->quantity == PO_JUMPS           ? po_compare_jumps(&c)
+                           : po_quantity_is_steps(check->quantity) ? po_compare_steps(&c)
+                           : check->quantity == PO_WORK            ? compare_work(&c)
+                                                                   : compare_special_points(&c);
   for (size_t i = before; i < check_results->count; ++i) {
     check_results->items[i].ledger = reference->ledger;
-    explain_no_comparison(&check_results->items[i], reference, &request, result);
+    explain_no_comparison(&check_results->items[i], &c);
   }
   return status;
 }

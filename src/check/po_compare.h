@@ -4,6 +4,10 @@
 
 #include "po_check_result.h"
 
+/* Returned: the value of a quantity that is a single number; NAN if the solve did not deliver it.
+ */
+double po_compare_obtained(po_quantity quantity, const po_result *result);
+
 /* Compares the result of one point with the reference of one check, and adds the results. A result
  * without the quantity, or a reference without the scene, leads to a verdict, not to a status.
  * Status: PO_CANNOT_READ (the reference lacks a column), PO_NO_MEMORY. */

@@ -5,20 +5,12 @@
 
 #include "po_compare.h"
 #include "po_compare_parts.h"
+#include "po_memory.h"
 
 /* A number in a row of a table: its column, and its quantity in the results. */
 typedef struct {
   const char *column, *name;
 } number_column;
-
-/* The check and the point that are compared, and the list to which the results are added. */
-typedef struct {
-  const po_case *kase;
-  size_t point;
-  const po_check *check;
-  const po_reference *reference;
-  po_check_results *check_results;
-} compare_target;
 
 static const number_column NUMBERS[] = {{"from_approach", "step_preload"},
                                         {"from_load", "step_preload_load"},
@@ -28,17 +20,30 @@ static const number_column NUMBERS[] = {{"from_approach", "step_preload"},
 
 enum { NUMBER_COUNT = sizeof NUMBERS / sizeof *NUMBERS };
 
+static const number_column JUMP_NUMBERS[] = {{"approach", "jump_approach"},
+                                             {"load_before", "jump_load_before"},
+                                             {"load_after", "jump_load_after"},
+                                             {"energy_lost", "jump_energy_lost"}};
+
+enum { NUMBERS_OF_JUMP = sizeof JUMP_NUMBERS / sizeof *JUMP_NUMBERS };
+
 /* Under load control the first step begins with separated bodies, at no finite approach, and the
  * energy lost is infinite. So the first and the last number are not compared. Neither is the energy
  * lost, the last number, if the table does not have it. */
 static size_t first_compared(po_quantity quantity) {
-  return quantity == PO_STEPS ? 0 : 1;
+  return quantity == PO_LOAD_STEPS;
 }
 
-static size_t count_compared(po_quantity quantity, const po_reference *reference) {
+/* Returned: the compared numbers of a jump or a step, *count of them. */
+static const number_column *compared_numbers(po_quantity quantity, const po_reference *reference,
+                                             size_t *count) {
+  *count = NUMBERS_OF_JUMP;
+  if (quantity == PO_JUMPS)
+    return JUMP_NUMBERS;
   const bool energies =
       po_csv_find_column(&reference->table, NUMBERS[NUMBER_COUNT - 1].column) >= 0;
-  return NUMBER_COUNT - (quantity == PO_STEPS ? !energies : 2);
+  *count = NUMBER_COUNT - (quantity == PO_STEPS ? !energies : 2);
+  return NUMBERS + first_compared(quantity);
 }
 
 /* Returned: the controlled quantity, approach or load; the column of its value at the begin of a
@@ -53,39 +58,36 @@ static const char *driven_column(po_quantity quantity) {
 
 /* The row of item number `index` of a scene in a table that may have several; the number of rows of
  * the table if there is none. */
-static size_t row_of(const po_reference *reference, const po_request *request, size_t index) {
+static size_t row_of(const po_comparison *c, size_t index) {
   size_t row = 0;
-  for (; row < reference->table.row_count; ++row)
-    if (po_reference_row_is_of(reference, row, request) && index-- == 0)
-      break;
+  while (po_reference_next_row(c->reference, &c->request, &row) && index-- > 0)
+    ++row;
   return row;
 }
 
 /* The number of items of a scene. */
-static size_t row_count_of(const po_reference *reference, const po_request *request) {
+static size_t row_count_of(const po_comparison *c) {
   size_t count = 0;
-  for (size_t row = 0; row < reference->table.row_count; ++row)
-    count += po_reference_row_is_of(reference, row, request);
+  for (size_t row = 0; po_reference_next_row(c->reference, &c->request, &row); ++row)
+    ++count;
   return count;
 }
 
-/* Adds a result for each of `count` numbers of a row.
+/* Adds a result for each compared number of a row.
  * Given: `subject`, the name of the item ("loading-1"); `where`, its place on the curve.
  * Status: PO_CANNOT_READ (a column is missing or does not hold a number), PO_NO_MEMORY. */
-static po_status add_row(const compare_target *target, size_t row, const char *subject,
-                         const number_column *columns, const double *obtained, size_t count,
-                         po_path_state where) {
+static po_status add_row(const po_comparison *c, size_t row, const char *subject,
+                         const double *obtained, po_path_state where) {
+  size_t count = 0;
+  const number_column *columns = compared_numbers(c->check->quantity, c->reference, &count);
   for (size_t n = 0; n < count; ++n) {
     char suffix[64];
     po_reference_number expected = {0};
     snprintf(suffix, sizeof suffix, "%s/%s", subject, columns[n].column);
-    const po_status status =
-        po_reference_cell(target->reference, row, columns[n].column, &expected);
+    const po_status status = po_reference_cell(c->reference, row, columns[n].column, &expected);
     if (status)
       return status;
-    po_check_result *item =
-        po_check_results_add(target->check_results, target->kase, target->point, target->check,
-                             columns[n].name, suffix, obtained[n], expected);
+    po_check_result *item = po_compare_add(c, columns[n].name, suffix, obtained[n], expected);
     if (!item)
       return PO_NO_MEMORY;
     item->approach = where.approach;
@@ -94,31 +96,33 @@ static po_status add_row(const compare_target *target, size_t row, const char *s
   return PO_OK;
 }
 
-/* Returned: in *most, the number with the largest uncertainty in some columns of all rows of a
+/* Returned: in *most, the number with the largest uncertainty among the jumps or the steps of a
  * scene. Status: as above. */
-static po_status rows_uncertainty(const po_reference *reference, const po_request *request,
-                                  const number_column *columns, size_t count,
-                                  po_reference_number *most) {
-  po_status status = PO_OK;
+static po_status rows_uncertainty(po_quantity quantity, const po_reference *reference,
+                                  const po_request *request, po_reference_number *most) {
+  size_t count = 0;
+  const number_column *columns = compared_numbers(quantity, reference, &count);
   *most = (po_reference_number){(double)NAN, 0};
-  for (size_t row = 0; row < reference->table.row_count; ++row)
-    for (size_t n = 0; n < count && !status; ++n) {
+  for (size_t row = 0; po_reference_next_row(reference, request, &row); ++row)
+    for (size_t n = 0; n < count; ++n) {
       po_reference_number number = {0};
-      if (po_reference_row_is_of(reference, row, request))
-        status = po_reference_cell(reference, row, columns[n].column, &number);
+      const po_status status = po_reference_cell(reference, row, columns[n].column, &number);
+      if (status)
+        return status;
       if (number.uncertainty > most->uncertainty)
         *most = number;
     }
-  return status;
+  return PO_OK;
 }
 
 /* Returned: the greatest approach (or load) up to which the table lists all steps of a scene; NAN:
  * the table has no column complete_to, or no row for the scene. */
-static double table_reach(const po_reference *reference, const po_request *request) {
-  const size_t row = row_of(reference, request, 0);
+static double table_reach(const po_comparison *c) {
+  size_t row = 0;
   po_reference_number number = {(double)NAN, 0};
-  if (row < reference->table.row_count && po_csv_find_column(&reference->table, "complete_to") >= 0)
-    (void)po_reference_cell(reference, row, "complete_to", &number);
+  if (po_reference_next_row(c->reference, &c->request, &row) &&
+      po_csv_find_column(&c->reference->table, "complete_to") >= 0)
+    (void)po_reference_cell(c->reference, row, "complete_to", &number);
   return number.value;
 }
 
@@ -130,51 +134,40 @@ static size_t count_ours(po_quantity quantity, const po_staircase *ours, double 
 }
 
 /* Counts the rows whose steps begin within the range of loading, up to `reach`. */
-static size_t count_theirs(po_quantity quantity, const po_reference *reference,
-                           const po_request *request, double reach, po_status *status) {
-  const size_t all = row_count_of(reference, request);
+static size_t count_theirs(const po_comparison *c, double reach, po_status *status) {
+  const char *column = driven_column(c->check->quantity);
   size_t count = 0;
-  for (size_t k = 0; k < all && !*status; ++k) {
+  for (size_t row = 0; !*status && po_reference_next_row(c->reference, &c->request, &row); ++row) {
     po_reference_number from = {0};
-    *status =
-        po_reference_cell(reference, row_of(reference, request, k), driven_column(quantity), &from);
+    *status = po_reference_cell(c->reference, row, column, &from);
     count += from.value <= reach;
   }
   return count;
 }
 
-static po_status add_step(const compare_target *target, size_t row, const po_step *step,
-                          size_t index) {
-  const po_quantity quantity = target->check->quantity;
-  const size_t first = first_compared(quantity);
+static po_status add_step(const po_comparison *c, const po_step *step, size_t index) {
   const double obtained[NUMBER_COUNT] = {step->preload.approach, step->preload.load,
                                          -step->pull_off.load, step->pull_off.approach,
                                          step->cycle[0].loss.energy};
   char subject[48];
   snprintf(subject, sizeof subject, "step-%zu", index + 1);
-  return add_row(target, row, subject, NUMBERS + first, obtained + first,
-                 count_compared(quantity, target->reference), step->pull_off);
+  return add_row(c, row_of(c, index), subject, obtained + first_compared(c->check->quantity),
+                 step->pull_off);
 }
 
-po_status po_compare_steps(const po_case *kase, size_t point, const po_check *check,
-                           const po_reference *reference, const po_result *result,
-                           po_check_results *check_results) {
-  const po_request request = po_check_request(check, &kase->points[point].request);
-  const po_staircase *ours = &result->staircase.of[check->quantity == PO_LOAD_STEPS];
-  const bool solved = result->status == PO_OK && result->has_staircases;
-  const bool known = row_count_of(reference, &request) > 0;
+po_status po_compare_steps(const po_comparison *c) {
+  const po_quantity quantity = c->check->quantity;
+  const po_staircase *ours = &c->result->staircase.of[quantity == PO_LOAD_STEPS];
+  const bool solved = c->result->status == PO_OK && c->result->has_staircases;
+  const bool known = row_count_of(c) > 0;
   po_status status = PO_OK;
-  const size_t theirs = solved ? count_theirs(check->quantity, reference, &request,
-                                              driven(check->quantity, &ours->reached), &status)
-                               : 0;
-  const size_t count =
-      solved ? count_ours(check->quantity, ours, table_reach(reference, &request)) : 0;
+  const size_t theirs = solved ? count_theirs(c, driven(quantity, &ours->reached), &status) : 0;
+  const size_t count = solved ? count_ours(quantity, ours, table_reach(c)) : 0;
   if (status)
     return status;
   const po_reference_number expected = {known ? (double)theirs : (double)NAN, 0};
   po_check_result *item =
-      po_check_results_add(check_results, kase, point, check, "step_count", "count",
-                           solved ? (double)count : (double)NAN, expected);
+      po_compare_add(c, "step_count", "count", solved ? (double)count : (double)NAN, expected);
   if (!item)
     return PO_NO_MEMORY;
   if (!solved || !known)
@@ -183,86 +176,59 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
     item->verdict = PO_OUTSIDE;
     return PO_OK;
   }
-  const compare_target target = {kase, point, check, reference, check_results};
   for (size_t k = 0; k < count && !status; ++k)
-    status = add_step(&target, row_of(reference, &request, k), &ours->step[k], k);
+    status = add_step(c, &ours->step[k], k);
   return status;
 }
-
-/* Returned: in *most, the number with the largest uncertainty among the steps of a scene. */
-static po_status uncertainty_of_steps(po_quantity quantity, const po_reference *reference,
-                                      const po_request *request, po_reference_number *most) {
-  return rows_uncertainty(reference, request, NUMBERS + first_compared(quantity),
-                          count_compared(quantity, reference), most);
-}
-
-static const number_column JUMP_NUMBERS[] = {{"approach", "jump_approach"},
-                                             {"load_before", "jump_load_before"},
-                                             {"load_after", "jump_load_after"},
-                                             {"energy_lost", "jump_energy_lost"}};
-
-enum { NUMBERS_OF_JUMP = sizeof JUMP_NUMBERS / sizeof *JUMP_NUMBERS };
 
 static const char *phase_of(const po_jump *jump) {
   return jump->loading ? "loading" : "unloading";
 }
 
-static bool phases_agree(const po_reference *reference, const po_request *request,
-                         const po_loop *loop, size_t column) {
+static bool phases_agree(const po_comparison *c, const po_loop *loop, size_t column) {
   for (size_t k = 0; k < loop->jump_count; ++k)
-    if (strcmp(po_csv_cell(&reference->table, row_of(reference, request, k), column),
+    if (strcmp(po_csv_cell(&c->reference->table, row_of(c, k), column),
                phase_of(&loop->jumps[k])) != 0)
       return false;
   return true;
 }
 
-static po_status add_jump(const compare_target *target, size_t row, const po_loop *loop,
-                          size_t index) {
+static po_status add_jump(const po_comparison *c, const po_loop *loop, size_t index) {
   const po_jump *jump = &loop->jumps[index];
   const double obtained[NUMBERS_OF_JUMP] = {jump->before.approach, jump->before.load,
                                             jump->after.load, jump->energy_lost};
   char subject[48];
   snprintf(subject, sizeof subject, "%s-%zu", phase_of(jump),
            jump->loading ? index + 1 : index + 1 - loop->loading_jumps);
-  return add_row(target, row, subject, JUMP_NUMBERS, obtained, NUMBERS_OF_JUMP, jump->before);
+  return add_row(c, row_of(c, index), subject, obtained, jump->before);
 }
 
-po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *check,
-                           const po_reference *reference, const po_result *result,
-                           po_check_results *check_results) {
-  const po_request request = po_check_request(check, &kase->points[point].request);
-  const po_loop *loop = &result->hysteresis.displacement;
-  const bool solved = result->status == PO_OK && result->has_hysteresis;
-  const size_t rows = row_count_of(reference, &request);
-  const int column = po_csv_find_column(&reference->table, "phase");
+po_status po_compare_jumps(const po_comparison *c) {
+  const po_csv *table = &c->reference->table;
+  const po_loop *loop = &c->result->hysteresis.displacement;
+  const bool solved = c->result->status == PO_OK && c->result->has_hysteresis;
+  const size_t rows = row_count_of(c);
+  const int column = po_csv_find_column(table, "phase");
   if (column < 0)
-    return po_fail(PO_CANNOT_READ, "%s:%zu: the column phase is missing", reference->table.path,
-                   reference->table.column_line);
+    return po_fail(PO_CANNOT_READ, "%s:%zu: the column phase is missing", table->path,
+                   table->column_line);
   const po_reference_number expected = {rows ? (double)rows : (double)NAN, 0};
-  po_check_result *item =
-      po_check_results_add(check_results, kase, point, check, "jump_count", "count",
-                           solved ? (double)loop->jump_count : (double)NAN, expected);
+  po_check_result *item = po_compare_add(c, "jump_count", "count",
+                                         solved ? (double)loop->jump_count : (double)NAN, expected);
   if (!item)
     return PO_NO_MEMORY;
   if (!solved || !rows)
     return PO_OK;
-  if (loop->jump_count != rows || !phases_agree(reference, &request, loop, (size_t)column)) {
+  if (loop->jump_count != rows || !phases_agree(c, loop, (size_t)column)) {
     item->verdict = PO_OUTSIDE;
     snprintf(item->note, sizeof item->note, "jumps in loading: %zu, in unloading: %zu",
              loop->loading_jumps, loop->jump_count - loop->loading_jumps);
     return PO_OK;
   }
-  const compare_target target = {kase, point, check, reference, check_results};
   po_status status = PO_OK;
   for (size_t k = 0; k < rows && !status; ++k)
-    status = add_jump(&target, row_of(reference, &request, k), loop, k);
+    status = add_jump(c, loop, k);
   return status;
-}
-
-/* Returned: in *most, the number with the largest uncertainty among the jumps of a scene. */
-static po_status uncertainty_of_jumps(const po_reference *reference, const po_request *request,
-                                      po_reference_number *most) {
-  return rows_uncertainty(reference, request, JUMP_NUMBERS, NUMBERS_OF_JUMP, most);
 }
 
 static po_status refuse(const po_case *kase, const po_check *check, unsigned number,
@@ -305,8 +271,7 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
       reference->type == PO_REFERENCE_TRACED) /* has no value before the run */
     return PO_OK;
   for (size_t i = 0; i < kase->point_count; ++i) {
-    const po_request asked = po_check_request(check, &kase->points[i].request);
-    const po_request *request = &asked;
+    const po_request asked = po_check_request(check, &kase->points[i].request), *request = &asked;
     if (check->quantity == PO_FOLD_COUNT || !po_check_concerns(check, &kase->points[i].request))
       continue; /* a number of folds has no uncertainty */
     po_status status = PO_OK;
@@ -314,10 +279,8 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
       status = check_points(kase, check, number, reference, request);
     else {
       po_reference_number expected = {0};
-      status = po_quantity_is_steps(check->quantity)
-                   ? uncertainty_of_steps(check->quantity, reference, request, &expected)
-               : check->quantity == PO_JUMPS
-                   ? uncertainty_of_jumps(reference, request, &expected)
+      status = check->quantity == PO_JUMPS || po_quantity_is_steps(check->quantity)
+                   ? rows_uncertainty(check->quantity, reference, request, &expected)
                    : po_reference_find(reference, check->quantity, request, &expected);
       if (!status && too_tight(check, expected.value, expected.uncertainty))
         status = refuse(kase, check, number, reference, expected.uncertainty);
@@ -325,5 +288,45 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
     if (status && status != PO_NOT_FOUND)
       return status;
   }
+  return PO_OK;
+}
+
+po_status po_compare_share(const po_case *kase, const bool *asked, const po_check *check,
+                           const po_reference *reference, const po_result *results,
+                           po_check_results *check_results) {
+  size_t concerned = 0, solved = 0, without_reason = 0, example = 0;
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    if (!asked[i] || !po_check_concerns(check, &kase->points[i].request))
+      continue;
+    concerned += 1;
+    if (results[i].status == PO_OK)
+      solved += 1;
+    else {
+      without_reason += results[i].reason[0] ? 0 : 1;
+      example = concerned == solved + 1 ? i : example;
+    }
+  }
+  if (!concerned)
+    return PO_OK;
+  const po_reference_number expected = {1, (double)NAN};
+  po_check_result *item =
+      po_check_results_add(check_results, kase, example, check, po_quantity_name(check->quantity),
+                           "", (double)solved / (double)concerned, expected);
+  char *id = po_copy_text("solved_share/every_scene");
+  if (!item || !id) {
+    free(id);
+    return PO_NO_MEMORY;
+  }
+  free(item->id);
+  item->id = id;
+  item->whole = true;
+  item->ledger = reference->ledger;
+  if (without_reason) {
+    item->verdict = PO_OUTSIDE;
+    snprintf(item->note, sizeof item->note, "%zu of %zu failures have no reason", without_reason,
+             concerned - solved);
+  } else if (solved < concerned)
+    snprintf(item->note, sizeof item->note, "%zu of %zu points failed, first point %s: %.100s",
+             concerned - solved, concerned, kase->points[example].id, results[example].reason);
   return PO_OK;
 }

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "po_compare_parts.h"
+#include "po_compare.h"
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_pins.h"

@@ -165,26 +165,17 @@ static po_status tell_wants(po_plan *plan) {
   return status;
 }
 
-/* Reports whether the table has a row for a scene. */
-static bool is_listed(const po_reference *reference, const po_request *request) {
-  bool known = false;
-  for (size_t row = 0; row < reference->table.row_count; ++row)
-    known = known || po_reference_row_is_of(reference, row, request);
-  return known;
-}
-
 /* Reports whether the reference has a value of the quantity of a check for a scene. */
 static bool is_covered(const po_reference *reference, const po_check *check,
                        const po_request *solved) {
-  const po_request asked = po_check_request(check, solved);
-  const po_request *request = &asked;
+  const po_request asked = po_check_request(check, solved), *request = &asked;
   po_reference_number number;
   po_reference_point *points = NULL;
-  size_t count = 0;
+  size_t count = 0, row = 0;
   if (check->quantity == PO_SOLVED_SHARE || reference->type == PO_REFERENCE_TRACED)
     return true;
   if (check->quantity == PO_JUMPS || po_quantity_is_steps(check->quantity))
-    return is_listed(reference, request);
+    return po_reference_next_row(reference, request, &row);
   if (check->quantity == PO_WORK)
     return po_pins_value(reference, "work/points", request, &number.value) == PO_OK;
   if (check->quantity <= PO_FOLD_COUNT)

@@ -145,12 +145,6 @@ po_status po_pins_value(const po_reference *pins, const char *name, const po_req
                : PO_NOT_FOUND;
 }
 
-po_status po_pins_find(const po_reference *pins, po_quantity quantity, const po_request *request,
-                       po_reference_number *number) {
-  number->uncertainty = 0;
-  return po_pins_value(pins, po_quantity_name(quantity), request, &number->value);
-}
-
 enum { POINT, DIGEST, FORCE, COLUMNS };
 
 static po_status check_digest_columns(const po_csv *table) {

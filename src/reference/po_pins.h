@@ -31,10 +31,6 @@ bool po_pins_exist(const po_reference *pins);
 po_status po_pins_value(const po_reference *pins, const char *name, const po_request *request,
                         double *value);
 
-/* Do for pins what po_reference_find and po_reference_points do for references. */
-po_status po_pins_find(const po_reference *pins, po_quantity quantity, const po_request *request,
-                       po_reference_number *number);
-
 /* Returned: in `name`, the name of the pin of special point number `index` (from 0) of `quantity`.
  */
 void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size_t index, bool load,

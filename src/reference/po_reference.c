@@ -160,11 +160,10 @@ static po_status find_single(const po_reference *reference, po_quantity quantity
                              const po_request *request, po_reference_number *number) {
   const po_csv *table = &reference->table;
   size_t found = 0, at = 0;
-  for (size_t row = 0; row < table->row_count; ++row)
-    if (po_reference_row_is_of(reference, row, request)) {
-      at = row;
-      found += 1;
-    }
+  for (size_t row = 0; po_reference_next_row(reference, request, &row); ++row) {
+    at = row;
+    found += 1;
+  }
   if (found > 1)
     return po_fail(PO_CANNOT_READ, "%s:%zu: a second row for the same scene: expected one",
                    table->path, table->lines[at]);
@@ -184,7 +183,8 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
     *number = (po_reference_number){0};
     return PO_OK;
   case PO_REFERENCE_PINS:
-    return po_pins_find(reference, quantity, request, number);
+    number->uncertainty = 0;
+    return po_pins_value(reference, po_quantity_name(quantity), request, &number->value);
   default:
     return find_single(reference, quantity, request, number);
   }
@@ -246,16 +246,11 @@ po_status po_reference_points(const po_reference *reference, po_quantity quantit
     return bradley_points(quantity, request, result, points, count);
   if (reference->type == PO_REFERENCE_PINS)
     return pins_points(reference, quantity, request, points, count);
-  const size_t row_count = reference->table.row_count;
-  if (!po_reference_headers_hold(reference, request))
-    return PO_NOT_FOUND;
-  po_reference_point *list = po_allocate(row_count, sizeof *list);
+  po_reference_point *list = po_allocate(reference->table.row_count, sizeof *list);
   po_status status = list ? PO_OK : PO_NO_MEMORY;
   size_t rows = 0, kept = 0;
-  for (size_t row = 0; !status && row < row_count; ++row) {
+  for (size_t row = 0; !status && po_reference_next_row(reference, request, &row); ++row) {
     bool fits = false;
-    if (!po_reference_row_is_of(reference, row, request))
-      continue;
     rows += 1;
     status = po_reference_row_point(reference, row, quantity, &list[kept], &fits);
     kept += fits;
@@ -276,8 +271,8 @@ po_status po_reference_complete_to(const po_reference *reference, const po_reque
   *approach = (double)INFINITY;
   const po_csv *table = &reference->table;
   const int column = po_csv_find_column(table, "complete_to");
-  for (size_t row = 0; column >= 0 && row < table->row_count; ++row)
-    if (po_reference_row_is_of(reference, row, request))
-      return po_csv_number(table, row, (size_t)column, approach);
-  return PO_OK;
+  size_t row = 0;
+  return column >= 0 && po_reference_next_row(reference, request, &row)
+             ? po_csv_number(table, row, (size_t)column, approach)
+             : PO_OK;
 }

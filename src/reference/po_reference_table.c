@@ -108,8 +108,8 @@ static bool is_possible(const po_csv *table, const po_request *request) {
          (names(table, PO_KEY_WAVES) || po_scene_waves(scene) < 2);
 }
 
-bool po_reference_headers_hold(const po_reference *reference, const po_request *request) {
-  const po_csv *table = &reference->table;
+/* Reports whether all headers that are keys of the scene have the values of a scene. */
+static bool headers_hold(const po_csv *table, const po_request *request) {
   if (!is_possible(table, request))
     return false;
   for (size_t i = 0; i < table->header_count; ++i) {
@@ -184,9 +184,13 @@ static po_status uncertainty_of(const po_csv *table, size_t row, const char *nam
   return PO_OK;
 }
 
-bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_request *request) {
-  return row_holds(&reference->table, row, request) &&
-         po_reference_headers_hold(reference, request);
+bool po_reference_next_row(const po_reference *reference, const po_request *request, size_t *row) {
+  const po_csv *table = &reference->table;
+  while (*row < table->row_count && !row_holds(table, *row, request))
+    ++*row;
+  if (*row < table->row_count && !headers_hold(table, request))
+    *row = table->row_count;
+  return *row < table->row_count;
 }
 
 /* Adds by how much a cell or a header that is a key of the scene differs from a scene, 1 to 2, and

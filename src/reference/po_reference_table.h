@@ -59,12 +59,9 @@ void po_reference_close(po_reference *reference);
  * file and line; PO_NO_MEMORY. */
 po_status po_reference_use_units(po_reference *reference, const po_units *units);
 
-/* Reports whether all headers that are keys of the scene have the values of a scene. */
-bool po_reference_headers_hold(const po_reference *reference, const po_request *request);
-
-/* Reports whether a row belongs to a scene: all columns and headers that are keys of the scene have
- * its values. */
-bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_request *request);
+/* Finds the first row from number *row on that belongs to a scene: all columns and headers that are
+ * keys of the scene have its values. Returned: whether there is one; its number in *row. */
+bool po_reference_next_row(const po_reference *reference, const po_request *request, size_t *row);
 
 /* Says which row is nearest to a scene that the table does not contain, and by what they differ:
  * "nearest is line 7: tabor 0.5 instead of 0.51". Returned: false for a table without rows. */
