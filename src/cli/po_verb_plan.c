@@ -96,7 +96,7 @@ static po_status print_needs(const po_plan *plan) {
 }
 
 static po_status describe(const po_case *kase, po_plan **plan) {
-  po_status status = po_plan_create(kase, po_environment_data(), plan);
+  po_status status = po_plan_create(kase, po_environment_data(), NULL, plan);
   if (!status)
     status = po_plan_describe(*plan);
   if (status)

@@ -179,9 +179,7 @@ static po_status read_solvers(po_session *session) {
 
 static po_status plan_one(po_case *kase, const po_solver *solver, po_case_run *run) {
   po_plan *plan = NULL;
-  const char *data = po_environment_data();
-  const po_status status =
-      solver ? po_plan_create_solver(kase, data, solver, &plan) : po_plan_create(kase, data, &plan);
+  const po_status status = po_plan_create(kase, po_environment_data(), solver, &plan);
   return status ? status : po_case_run_create(plan, run);
 }
 

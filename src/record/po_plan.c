@@ -237,16 +237,21 @@ static po_status name_plan(po_plan *plan) {
   return name.failed ? PO_NO_MEMORY : PO_OK;
 }
 
-static po_status create(const po_case *kase, const char *data_folder, const char *program,
-                        const po_solver *solver, po_plan **result) {
+po_status po_plan_create(const po_case *kase, const char *data_folder, const po_solver *solver,
+                         po_plan **result) {
   *result = NULL;
   po_plan *plan = po_allocate(1, sizeof *plan);
   if (!plan)
     return PO_NO_MEMORY;
   plan->kase = kase;
   plan->solver = solver;
-  snprintf(plan->program, sizeof plan->program, "%s", program);
-  po_status status = name_plan(plan);
+  po_status status = PO_OK;
+  if (solver)
+    snprintf(plan->program, sizeof plan->program, "%s", solver->digest);
+  else
+    status = po_environment_program(plan->program);
+  if (!status)
+    status = name_plan(plan);
   if (!status)
     status = open_references(plan, data_folder);
   if (!status) {
@@ -258,18 +263,6 @@ static po_status create(const po_case *kase, const char *data_folder, const char
   else
     *result = plan;
   return status;
-}
-
-po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result) {
-  char program[PO_DIGEST_LENGTH];
-  const po_status status = po_environment_program(program);
-  *result = NULL;
-  return status ? status : create(kase, data_folder, program, NULL, result);
-}
-
-po_status po_plan_create_solver(const po_case *kase, const char *data_folder,
-                                const po_solver *solver, po_plan **result) {
-  return create(kase, data_folder, solver->digest, solver, result);
 }
 
 void po_plan_destroy(po_plan *plan) {

@@ -17,20 +17,18 @@ typedef struct {
   unsigned want;            /* bit set of PO_WANT_..., for every point */
   char **lines;             /* what po_plan_describe says of it; none before */
   size_t line_count;
+  bool wordless;                    /* memory ran out while it was described */
   char program[PO_DIGEST_LENGTH];   /* digest of the program or the solver */
   char solve_key[PO_DIGEST_LENGTH]; /* digest of all that determines the results: scenes, program */
   char key[PO_DIGEST_LENGTH];       /* digest of that, the text of the case and the references */
 } po_plan;
 
 /* Creates the plan of a case: opens its references, refuses tolerances below their uncertainty, and
- * decides what is computed.
+ * decides what is computed. Given: an external solver, which must outlive the plan, and of which
+ * only what it computes is wanted; NULL: this program.
  * Status: PO_CANNOT_READ (a reference), PO_BAD_INPUT (a tolerance), PO_NO_MEMORY. */
-po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result);
-
-/* Creates the plan of a case for an external solver, which must outlive the plan. Only what the
- * solver computes is wanted. */
-po_status po_plan_create_solver(const po_case *kase, const char *data_folder,
-                                const po_solver *solver, po_plan **result);
+po_status po_plan_create(const po_case *kase, const char *data_folder, const po_solver *solver,
+                         po_plan **result);
 void po_plan_destroy(po_plan *plan);
 
 /* Returned: the name of the case in printed lines. */

@@ -10,8 +10,8 @@
 #include "po_quote.h"
 #include "po_rigid.h"
 
-/* Adds a line to the description. */
-static po_status __attribute__((format(printf, 2, 3))) say(po_plan *plan, const char *format, ...) {
+/* Adds a line to the description. If memory runs out, plan->wordless is set. */
+static void __attribute__((format(printf, 2, 3))) say(po_plan *plan, const char *format, ...) {
   char **lines = po_resize(plan->lines, plan->line_count + 1, sizeof *lines);
   char *printed = NULL;
   if (lines)
@@ -20,15 +20,23 @@ static po_status __attribute__((format(printf, 2, 3))) say(po_plan *plan, const 
   va_start(arguments, format);
   const int length = lines ? vasprintf(&printed, format, arguments) : -1;
   va_end(arguments);
-  if (length < 0)
-    return po_fail(PO_NO_MEMORY, "no memory for the description of a plan");
+  if (length < 0) {
+    po_fail(PO_NO_MEMORY, "no memory for the description of a plan");
+    plan->wordless = true;
+    return;
+  }
   /* A reason may have several lines, and may have been truncated inside a character. */
   const size_t room = 4 * (size_t)length + 1;
   char *line = po_resize(NULL, room, 1);
   if (line)
     lines[plan->line_count++] = po_quote_text(printed, line, room);
+  else
+    plan->wordless = true;
   free(printed);
-  return line ? PO_OK : PO_NO_MEMORY;
+}
+
+static const char *scenes(size_t count) {
+  return count == 1 ? "scene" : "scenes";
 }
 
 /* The numbers of points with certain properties. */
@@ -50,119 +58,107 @@ static point_counts count_properties(const po_case *kase) {
   return count;
 }
 
-static po_status tell_sample(po_plan *plan) {
+static void tell_sample(po_plan *plan) {
   const po_sample_words *sample = plan->kase->file->sample;
   if (!sample)
-    return PO_OK;
-  po_status status =
-      say(plan,
-          "draw %zu scenes; each value depends on seed %s, the number of the scene and the name of "
-          "its key:",
-          sample->count, sample->seed_text);
-  for (unsigned i = 0; !status && i < sample->keys_count; ++i) {
+    return;
+  say(plan,
+      "draw %zu scenes; each value depends on seed %s, the number of the scene and the name of "
+      "its key:",
+      sample->count, sample->seed_text);
+  for (unsigned i = 0; i < sample->keys_count; ++i) {
     const po_draw *draw = &sample->keys[i];
-    status = say(plan, "  %s from %s to %s%s%s, %s", draw->key, draw->from_text, draw->to_text,
-                 draw->times ? " times " : "",
-                 !draw->times    ? ""
-                 : draw->by_root ? "the square root of the radius"
-                                 : draw->times,
-                 draw->log ? "uniform in the logarithm" : "uniform");
+    say(plan, "  %s from %s to %s%s%s, %s", draw->key, draw->from_text, draw->to_text,
+        draw->times ? " times " : "",
+        !draw->times    ? ""
+        : draw->by_root ? "the square root of the radius"
+                        : draw->times,
+        draw->log ? "uniform in the logarithm" : "uniform");
   }
-  return status;
 }
 
-static po_status tell_scenes(po_plan *plan, const point_counts *n) {
-  po_status status =
-      say(plan, "solve %zu %s: each traced as one branch from large separation%s", n->points,
-          n->points == 1 ? "scene" : "scenes",
-          plan->kase->series_length > 1 ? ", or computed by parameter continuation" : "");
-  if (!status && plan->kase->series_length > 1)
-    status = say(plan,
-                 "continue the pull-off in %s along %zu series of %zu scenes; every %zu scenes one "
-                 "is traced as a checkpoint, and further scenes where checkpoints contradict the "
-                 "continuation between them",
-                 plan->kase->file->follow, n->points / plan->kase->series_length,
-                 plan->kase->series_length, plan->kase->checkpoints);
-  if (!status && plan->kase->file->traced)
-    status = say(plan,
-                 "trace %s scenes between checkpoints in addition, drawn with seed %s, and compare "
-                 "them with the continuation",
-                 plan->kase->file->traced->count_text, plan->kase->file->traced->seed_text);
-  if (!status && n->rigid)
-    status = say(plan,
-                 "no influence matrix for %zu rigid %s: elasticity would change the load by less "
-                 "than 1e-8",
-                 n->rigid, n->rigid == 1 ? "scene" : "scenes");
-  if (!status && n->rigid < n->points)
-    status = say(plan, "one influence matrix for each of %zu elastic %s", n->points - n->rigid,
-                 n->points - n->rigid == 1 ? "scene" : "scenes");
-  if (!status && n->smooth)
-    status = say(plan, "no waviness for %zu smooth %s: amplitude is 0", n->smooth,
-                 n->smooth == 1 ? "scene" : "scenes");
-  if (!status && n->bounded < n->points)
-    status = say(plan, "add the load beyond the mesh for %zu %s: outer_radius is inf",
-                 n->points - n->bounded, n->points - n->bounded == 1 ? "scene" : "scenes");
-  if (!status && n->to_end < n->points)
-    status =
-        say(plan, plan->want & PO_WANT_PRELOAD
-                      ? "end each branch where no harder preload gives a greater pull-off force"
-                      : "end each branch at the preload: the case does not want other preloads");
-  if (!status && n->to_end)
-    status = say(plan, "trace %zu %s up to approach_end", n->to_end,
-                 n->to_end == 1 ? "branch" : "branches");
-  return status;
-}
-
-static po_status tell_left_out(po_plan *plan) {
-  po_status status = PO_OK;
-  for (unsigned i = 0; !status && i < plan->kase->file->leave_out_count; ++i) {
-    const po_leave_out *rule = &plan->kase->file->leave_out[i];
-    status = say(plan, "leave out %zu %s: %.250s", rule->points,
-                 rule->points == 1 ? "scene" : "scenes", rule->because);
-  }
-  return status;
-}
-
-static po_status tell_wants(po_plan *plan) {
+static void tell_scenes(po_plan *plan) {
   const po_case *kase = plan->kase;
-  po_status status =
-      plan->kase->series_length > 1
-          ? say(plan, "no folds or extrema: parameter continuation delivers only the pull-off")
-          : say(plan, "find on each branch: pull-off, folds, extrema of the load");
-  if (!status)
-    status =
-        plan->want & PO_WANT_CURVE
-            ? say(plan, "keep the points of the branch: %s",
-                  kase->want & PO_CASE_CURVE ? "the case wants the curve" : "the curve is compared")
-            : say(plan, "no curves: neither the case nor a check needs them");
-  if (!status)
-    status = plan->want & PO_WANT_PROFILE
-                 ? say(plan, "keep gap and traction at pull-off: the case wants the profile")
-                 : say(plan, "no profiles: the case does not want them");
-  if (!status && plan->want & PO_WANT_HYSTERESIS)
-    status = say(plan, "simulate loading and unloading, at given approach and at given load: the "
-                       "case wants the hysteresis");
-  if (!status && plan->want & PO_WANT_PRELOAD)
-    status = say(plan, "find the pull-off for every preload: the case wants the staircase");
-  if (!status && plan->want & PO_WANT_THEORIES)
-    status = say(plan, "evaluate the theories: the case wants them");
-  if (!status)
-    status = plan->want & PO_WANT_DIAGNOSTICS
-                 ? say(plan, "diagnose each scene, and solve it again with the last bit of each "
-                             "input increased and decreased")
-                 : say(plan, "no diagnostics: neither the case nor a check needs them");
-  if (!status && kase->repeats > 1)
-    status = say(plan,
-                 "repeat each solve %u times, one solve at a time, in rounds over all points: the "
-                 "case measures times",
-                 kase->repeats);
-  for (unsigned i = 0; !status && i < kase->file->lines_count; ++i)
-    status = say(plan, "evaluate the closed form %.40s along a sweep, for line %.60s",
-                 kase->file->lines[i].theory, kase->file->lines[i].name);
-  if (!status)
-    status = kase->file->figure_script ? say(plan, "figure by script %s", kase->file->figure_script)
-                                       : say(plan, "no figure: the case names no script");
-  return status;
+  const po_traced_words *traced = kase->file->traced;
+  const point_counts n = count_properties(kase);
+  const size_t elastic = n.points - n.rigid, unbounded = n.points - n.bounded;
+  const bool series = kase->series_length > 1;
+  say(plan, "solve %zu %s: each traced as one branch from large separation%s", n.points,
+      scenes(n.points), series ? ", or computed by parameter continuation" : "");
+  if (series)
+    say(plan,
+        "continue the pull-off in %s along %zu series of %zu scenes; every %zu scenes one is "
+        "traced as a checkpoint, and further scenes where checkpoints contradict the continuation "
+        "between them",
+        kase->file->follow, n.points / kase->series_length, kase->series_length, kase->checkpoints);
+  if (traced)
+    say(plan,
+        "trace %s scenes between checkpoints in addition, drawn with seed %s, and compare them "
+        "with the continuation",
+        traced->count_text, traced->seed_text);
+  if (n.rigid)
+    say(plan,
+        "no influence matrix for %zu rigid %s: elasticity would change the load by less than 1e-8",
+        n.rigid, scenes(n.rigid));
+  if (elastic)
+    say(plan, "one influence matrix for each of %zu elastic %s", elastic, scenes(elastic));
+  if (n.smooth)
+    say(plan, "no waviness for %zu smooth %s: amplitude is 0", n.smooth, scenes(n.smooth));
+  if (unbounded)
+    say(plan, "add the load beyond the mesh for %zu %s: outer_radius is inf", unbounded,
+        scenes(unbounded));
+  if (n.to_end < n.points)
+    say(plan, plan->want & PO_WANT_PRELOAD
+                  ? "end each branch where no harder preload gives a greater pull-off force"
+                  : "end each branch at the preload: the case does not want other preloads");
+  if (n.to_end)
+    say(plan, "trace %zu %s up to approach_end", n.to_end, n.to_end == 1 ? "branch" : "branches");
+}
+
+static void tell_left_out(po_plan *plan) {
+  for (unsigned i = 0; i < plan->kase->file->leave_out_count; ++i) {
+    const po_leave_out *rule = &plan->kase->file->leave_out[i];
+    say(plan, "leave out %zu %s: %.250s", rule->points, scenes(rule->points), rule->because);
+  }
+}
+
+static void tell_wants(po_plan *plan) {
+  const po_case *kase = plan->kase;
+  const po_case_file *file = kase->file;
+  say(plan, kase->series_length > 1
+                ? "no folds or extrema: parameter continuation delivers only the pull-off"
+                : "find on each branch: pull-off, folds, extrema of the load");
+  if (plan->want & PO_WANT_CURVE)
+    say(plan, "keep the points of the branch: %s",
+        kase->want & PO_CASE_CURVE ? "the case wants the curve" : "the curve is compared");
+  else
+    say(plan, "no curves: neither the case nor a check needs them");
+  say(plan, plan->want & PO_WANT_PROFILE
+                ? "keep gap and traction at pull-off: the case wants the profile"
+                : "no profiles: the case does not want them");
+  if (plan->want & PO_WANT_HYSTERESIS)
+    say(plan, "simulate loading and unloading, at given approach and at given load: the case wants "
+              "the hysteresis");
+  if (plan->want & PO_WANT_PRELOAD)
+    say(plan, "find the pull-off for every preload: the case wants the staircase");
+  if (plan->want & PO_WANT_THEORIES)
+    say(plan, "evaluate the theories: the case wants them");
+  say(plan, plan->want & PO_WANT_DIAGNOSTICS
+                ? "diagnose each scene, and solve it again with the last bit of each input "
+                  "increased and decreased"
+                : "no diagnostics: neither the case nor a check needs them");
+  if (kase->repeats > 1)
+    say(plan,
+        "repeat each solve %u times, one solve at a time, in rounds over all points: the case "
+        "measures times",
+        kase->repeats);
+  for (unsigned i = 0; i < file->lines_count; ++i)
+    say(plan, "evaluate the closed form %.40s along a sweep, for line %.60s", file->lines[i].theory,
+        file->lines[i].name);
+  if (file->figure_script)
+    say(plan, "figure by script %s", file->figure_script);
+  else
+    say(plan, "no figure: the case names no script");
 }
 
 /* Reports whether the reference has a value of the quantity of a check for a scene. */
@@ -198,51 +194,46 @@ static void count_points(const po_case *kase, const po_check *check, const po_re
     }
 }
 
-static po_status tell_measures(po_plan *plan) {
+static void tell_measures(po_plan *plan) {
   const po_case *kase = plan->kase;
-  po_status status = PO_OK;
-  for (unsigned i = 0; !status && i < kase->file->measure_count; ++i) {
+  for (unsigned i = 0; i < kase->file->measure_count; ++i) {
     const po_check *measure = &kase->file->measure[i];
     size_t concerned = 0, covered = 0;
     count_points(kase, measure, &plan->measures[i], &concerned, &covered);
-    status = say(plan, "measure the error of %s against %s at %zu of %zu points, without a verdict",
-                 measure->quantity_text, measure->reference, concerned, kase->point_count);
-    if (!status && covered < concerned)
-      status = say(plan, "  but %s has no value for %zu of these", measure->reference,
-                   concerned - covered);
+    say(plan, "measure the error of %s against %s at %zu of %zu points, without a verdict",
+        measure->quantity_text, measure->reference, concerned, kase->point_count);
+    if (covered < concerned)
+      say(plan, "  but %s has no value for %zu of these", measure->reference, concerned - covered);
   }
-  return status;
 }
 
-static po_status tell_checks(po_plan *plan) {
+static void tell_checks(po_plan *plan) {
   const po_case *kase = plan->kase;
   if (!kase->file->checks_count && !kase->file->measure_count)
-    return say(plan, "nothing is compared: the case has no checks");
-  po_status status = PO_OK;
-  for (unsigned i = 0; !status && i < kase->file->checks_count; ++i) {
+    say(plan, "nothing is compared: the case has no checks");
+  for (unsigned i = 0; i < kase->file->checks_count; ++i) {
     const po_check *check = &kase->file->checks[i];
-    if (plan->references[i].type == PO_REFERENCE_ABSENT) {
-      status = say(plan, "leave out %s against %s: the file does not exist; its stand-in is %s",
-                   check->quantity_text, check->reference, check->stand_in);
+    const po_reference *reference = &plan->references[i];
+    if (reference->type == PO_REFERENCE_ABSENT) {
+      say(plan, "leave out %s against %s: the file does not exist; its stand-in is %s",
+          check->quantity_text, check->reference, check->stand_in);
       continue;
     }
-    const po_reference *reference = &plan->references[i];
     size_t concerned = 0, covered = 0;
     count_points(kase, check, reference, &concerned, &covered);
-    status = say(plan, "compare %s with %s at %zu of %zu points, tolerance %s %s",
-                 check->quantity_text, po_reference_shown(reference), concerned, kase->point_count,
-                 check->tolerance_text, check->kind_text);
-    if (!status && po_check_is_pin(check) && !po_pins_exist(reference))
-      status = say(plan, "  but there are no pins yet");
-    else if (!status && covered < concerned)
-      status = say(plan, "  but %s has no value for %zu of these", po_reference_shown(reference),
-                   concerned - covered);
+    say(plan, "compare %s with %s at %zu of %zu points, tolerance %s %s", check->quantity_text,
+        po_reference_shown(reference), concerned, kase->point_count, check->tolerance_text,
+        check->kind_text);
+    if (po_check_is_pin(check) && !po_pins_exist(reference))
+      say(plan, "  but there are no pins yet");
+    else if (covered < concerned)
+      say(plan, "  but %s has no value for %zu of these", po_reference_shown(reference),
+          concerned - covered);
   }
-  return status;
 }
 
 /* The plan of an external solver: what it is asked, and what it is not. */
-static po_status describe_solver(po_plan *plan) {
+static void describe_solver(po_plan *plan) {
   const po_case *kase = plan->kase;
   size_t asked = 0, made = 0;
   char why[PO_SOLVER_WHY] = "";
@@ -250,25 +241,23 @@ static po_status describe_solver(po_plan *plan) {
     asked += po_solver_accepts(plan->solver, &kase->points[i].request, why);
   for (unsigned c = 0; c < kase->file->checks_count; ++c)
     made += po_plan_covers(plan, &kase->file->checks[c]);
-  po_status status = say(plan, "ask the solver %s for %zu of %zu points", plan->solver->name, asked,
-                         kase->point_count);
-  if (!status && asked < kase->point_count)
-    status = say(plan, "leave out the others, for example because %s", why);
-  return status ? status : say(plan, "make %zu of %u checks", made, kase->file->checks_count);
+  say(plan, "ask the solver %s for %zu of %zu points", plan->solver->name, asked,
+      kase->point_count);
+  if (asked < kase->point_count)
+    say(plan, "leave out the others, for example because %s", why);
+  say(plan, "make %zu of %u checks", made, kase->file->checks_count);
 }
 
 po_status po_plan_describe(po_plan *plan) {
   if (plan->solver)
-    return describe_solver(plan);
-  const point_counts count = count_properties(plan->kase);
-  po_status status = tell_sample(plan);
-  if (!status)
-    status = tell_scenes(plan, &count);
-  if (!status)
-    status = tell_left_out(plan);
-  if (!status)
-    status = tell_wants(plan);
-  if (!status)
-    status = tell_checks(plan);
-  return status ? status : tell_measures(plan);
+    describe_solver(plan);
+  else {
+    tell_sample(plan);
+    tell_scenes(plan);
+    tell_left_out(plan);
+    tell_wants(plan);
+    tell_checks(plan);
+    tell_measures(plan);
+  }
+  return plan->wordless ? PO_NO_MEMORY : PO_OK;
 }

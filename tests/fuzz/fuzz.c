@@ -230,7 +230,7 @@ po_case_run *fuzz_run(const char *name) {
   snprintf(shown, sizeof shown, "cases/%s.yaml", name);
   po_status status = run ? po_case_read(path, shown, &kase) : PO_NO_MEMORY;
   if (!status)
-    status = po_plan_create(kase, FUZZ_DATA, &plan);
+    status = po_plan_create(kase, FUZZ_DATA, NULL, &plan);
   if (!status)
     status = po_case_run_create(plan, run);
   fuzz_require(!status, "the case %s cannot be planned: %s", name, po_message());

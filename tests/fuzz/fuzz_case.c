@@ -29,7 +29,7 @@ static void require_points(const po_case *kase) {
 
 static po_status plan(const po_case *kase, char key[PO_DIGEST_LENGTH]) {
   po_plan *made = NULL;
-  po_status status = po_plan_create(kase, FUZZ_DATA, &made);
+  po_status status = po_plan_create(kase, FUZZ_DATA, NULL, &made);
   if (!status)
     status = po_plan_describe(made);
   fuzz_require_message(status);

@@ -140,7 +140,7 @@ static uint64_t work(int which, size_t n) {
   const po_status status = po_case_read(path, path, &kase);
   ck_assert_msg(status == FAMILIES[which].expected, "%s: %s", FAMILIES[which].name, po_message());
   if (!status) {
-    ck_assert_int_eq(po_plan_create(kase, SOURCE_ROOT, &plan), PO_OK);
+    ck_assert_int_eq(po_plan_create(kase, SOURCE_ROOT, NULL, &plan), PO_OK);
     describe(plan);
   }
   po_case_destroy(kase);

@@ -59,7 +59,7 @@ static po_status run_case_file(const char *value, size_t points, volatile sig_at
   po_plan *plan = NULL;
   po_case_run run;
   ck_assert_int_eq(po_case_read(path, path, &kase), PO_OK);
-  ck_assert_int_eq(po_plan_create(kase, SOURCE_ROOT, &plan), PO_OK);
+  ck_assert_int_eq(po_plan_create(kase, SOURCE_ROOT, NULL, &plan), PO_OK);
   ck_assert_int_eq(po_case_run_create(plan, &run), PO_OK);
   po_case_run_ask(&run, &(po_point_range){0, points - 1}, 1);
   const po_run_options options = {.output = folder, .jobs = 1, .stop = &stop};
