@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "po_check.h"
+#include "po_forms.h"
 #include "po_input.h"
 #include "po_physical.h"
 #include "po_request.h"
@@ -156,6 +157,15 @@ bool po_sweep_names(const po_sweep *sweep, po_key key);
  * a file outside the folder of cases as it was given; po_case_word quotes it for a shell, so that a
  * printed command can be pasted. */
 const char *po_case_word(const po_case *kase);
+
+/* Returned: the number of combinations in the sweep of a line. */
+size_t po_case_line_rows(const po_case_line *line);
+
+/* Returned: the value of a key of the sweep, as written, in combination number `row`. */
+const char *po_case_line_value(const po_case_line *line, unsigned axis, size_t row);
+
+/* Returned: the input of the form for combination number `row`. */
+po_form_input po_case_line_input(const po_case_file *file, const po_case_line *line, size_t row);
 
 /* Given: the path of the table of a profile, as it is in the request of a point. Returned: the name
  * relative to the folder of the case file, a part of `path`; `path` if it is elsewhere. */

@@ -8,7 +8,6 @@
 #include "po_order.h"
 #include "po_random.h"
 #include "po_range.h"
-#include "po_schema.h"
 #include "po_text.h"
 
 /* A case with more points than this is assumed to be a mistake. */
@@ -93,7 +92,7 @@ static bool has_waviness(const po_sweep *sweep) {
   return key == PO_KEY_ALPHA || key == PO_KEY_AMPLITUDE_RATIO;
 }
 
-po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml) {
+po_status po_case_sweep_check(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     po_sweep *sweep = &file->sweep[i];

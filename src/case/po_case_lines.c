@@ -1,5 +1,3 @@
-#include "po_case_lines.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,9 +6,12 @@
 #include "po_case_parts.h"
 #include "po_memory.h"
 #include "po_order.h"
-#include "po_schema.h"
 
 static const size_t MOST_ROWS = 100000;
+
+/* Largest number of keys in the sweep of a line: tabor, amplitude, wavelength, radius, law and
+ * profile with a parameter of one of them, and the variable of the form. */
+enum { MOST_AXES = 8 };
 
 static bool is_variable(const po_form *form, const char *key) {
   return form->along && strcmp(key, po_form_variable_name(form->variable)) == 0;
@@ -25,8 +26,8 @@ static bool is_of_form(const po_form *form, int key) {
   case PO_OWNER_LAW:
     return form->takes & PO_TAKES_LAW;
   case PO_OWNER_PROFILE:
-    return form->takes & PO_TAKES_PROFILE && key != PO_KEY_TABLE_SCALE &&
-           key != PO_KEY_SMOOTH && key != PO_KEY_PROFILE_FILE;
+    return form->takes & PO_TAKES_PROFILE && key != PO_KEY_TABLE_SCALE && key != PO_KEY_SMOOTH &&
+           key != PO_KEY_PROFILE_FILE;
   default: /* the closed forms are for the unbounded half-space */
     return po_key_row_of(key)->owner == PO_OWNER_SCENE &&
            po_key_target((po_key)key) != PO_KEY_OUTER_RADIUS;
@@ -196,7 +197,7 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
     return po_schema_refuse(yaml, NULL, "lines[%u].name", index + 1);
   if (!form)
     return po_schema_refuse(yaml, PO_FORM_NAMES, "lines[%u].theory", index + 1);
-  if (line->sweep_count > PO_LINE_MOST_AXES)
+  if (line->sweep_count > MOST_AXES)
     return po_schema_refuse(yaml, "a sweep of at most 8 keys", "lines[%u].sweep", index + 1);
   for (unsigned i = 0; i < line->sweep_count; ++i) {
     char where[PO_CASE_WHERE_LENGTH];

@@ -1,13 +1,23 @@
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_case_lines.h"
 #include "po_case_parts.h"
 #include "po_file.h"
 #include "po_memory.h"
-#include "po_schema.h"
+
+bool po_case_is_name(const char *text) {
+  for (const char *c = text; *c; ++c)
+    if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
+      return false;
+  return *text != '\0' && *text != '-';
+}
+
+const char *po_case_word(const po_case *kase) {
+  return kase->word ? kase->word : kase->file->name;
+}
 
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
   static const char *const WANTS[] = {"pull_off",   "folds",       "extrema", "curve",   "profile",
@@ -195,7 +205,7 @@ static po_status check_as_if(const po_check *check, unsigned number, const po_ya
 
 /* A stand-in must be the reference of a check without stand-in. Otherwise nothing would be compared
  * when the table is absent. */
-static po_status check_stand_ins(const po_case *kase, const po_yaml *yaml) {
+static po_status check_stand_ins(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   for (unsigned i = 0; i < file->checks_count; ++i) {
     bool found = !file->checks[i].stand_in;
@@ -221,7 +231,7 @@ static bool concerns_none(const po_case *kase, const po_check *check) {
 }
 
 /* A check that applies to no point would never fail, and nobody would notice. */
-static po_status check_concerned(const po_case *kase, const po_yaml *yaml) {
+static po_status check_concerned(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   static const char EXPECTED[] = "a condition that holds for at least one point";
   for (unsigned i = 0; i < file->checks_count; ++i)
@@ -247,7 +257,7 @@ static void mark_shares(const po_case *kase, bool *may_fail) {
 
 /* A scene whose solve may fail cannot be pinned: the solve could succeed on the machine where it is
  * blessed and fail on another. */
-static po_status check_pinned(const po_case *kase, const po_yaml *yaml) {
+static po_status check_pinned(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   bool *may_fail = po_allocate(kase->point_count, sizeof *may_fail);
   if (!may_fail)
@@ -264,46 +274,32 @@ static po_status check_pinned(const po_case *kase, const po_yaml *yaml) {
   return status;
 }
 
+static po_status parse_checks(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < file->checks_count; ++i)
+    if (!(status = parse_check(file, &file->checks[i], i + 1, yaml)))
+      status = check_as_if(&file->checks[i], i + 1, yaml);
+  for (unsigned i = 0; !status && i < file->measure_count; ++i)
+    status = parse_measure(&file->measure[i], i + 1, yaml);
+  for (unsigned i = 0; !status && i < file->leave_out_count; ++i)
+    status = parse_leave_out(&file->leave_out[i], i + 1, yaml);
+  return status;
+}
+
 /* Checks every value of kase->file and fills want, repeats, checks and points. Status:
  * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
 static po_status parse(po_case *kase, const po_yaml *yaml) {
-  po_status status = parse_names(kase, yaml);
-  if (!status)
-    status = parse_repeats(kase, yaml);
-  if (!status)
-    status = po_case_profile_resolve(kase, yaml);
-  if (!status)
-    status = po_case_sweep_check(kase, yaml);
-  if (!status)
-    status = po_case_sample_parse(kase, yaml);
-  if (!status)
-    status = po_case_physical_parse(kase, yaml);
-  if (!status)
-    status = po_case_profile_check(kase->file, yaml);
-  if (!status)
-    status = po_case_scene_check(kase, yaml);
-  for (unsigned i = 0; !status && i < kase->file->checks_count; ++i)
-    if (!(status = parse_check(kase->file, &kase->file->checks[i], i + 1, yaml)))
-      status = check_as_if(&kase->file->checks[i], i + 1, yaml);
-  for (unsigned i = 0; !status && i < kase->file->measure_count; ++i)
-    status = parse_measure(&kase->file->measure[i], i + 1, yaml);
-  for (unsigned i = 0; !status && i < kase->file->leave_out_count; ++i)
-    status = parse_leave_out(&kase->file->leave_out[i], i + 1, yaml);
-  if (!status)
-    status = po_case_lines_parse(kase, yaml);
-  if (!status)
-    status = po_case_follow_parse(kase, yaml);
-  if (!status)
-    status = po_case_traced_parse(kase, yaml);
-  if (!status)
-    status = check_stand_ins(kase, yaml);
-  if (!status)
-    status = po_case_expand(kase, yaml);
-  if (!status)
-    status = po_case_traced_draw(kase, yaml);
-  if (!status)
-    status = check_concerned(kase, yaml);
-  return status ? status : check_pinned(kase, yaml);
+  static po_status (*const STEPS[])(po_case *, const po_yaml *) = {
+      parse_names,          parse_repeats,          po_case_profile_resolve, po_case_sweep_check,
+      po_case_sample_parse, po_case_physical_parse, po_case_profile_check,   po_case_scene_check,
+      parse_checks,         po_case_lines_parse,    po_case_follow_parse,    po_case_traced_parse,
+      check_stand_ins,      po_case_expand,         po_case_traced_draw,     check_concerned,
+      check_pinned};
+  po_status status = PO_OK;
+  for (size_t i = 0; !status && i < sizeof STEPS / sizeof *STEPS; ++i)
+    status = STEPS[i](kase, yaml);
+  return status;
 }
 
 po_status po_case_read(const char *path, const char *shown, po_case **result) {

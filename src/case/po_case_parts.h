@@ -6,9 +6,25 @@
 #include "po_text.h"
 #include "po_yaml.h"
 
+/* Fills the structs of a case from its file. Whatever the status, po_schema_free must free *file.
+ * Status: PO_BAD_INPUT; the message states file, line, path, value and what was expected.
+ * PO_NO_MEMORY. */
+po_status po_schema_load(const po_yaml *yaml, po_case_file **file);
+void po_schema_free(po_case_file *file);
+
+/* Calls po_yaml_refuse for the path that `format` and its arguments give.
+ * Given: `expected`, the permitted values; NULL: those of the schema, e.g. "abs, rel or ulp" for
+ * "checks[2].kind". In this case the path must be in the schema. */
+po_status po_schema_refuse(const po_yaml *yaml, const char *expected, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /* Checks and parses the section `sample`, if there is one. Status: PO_BAD_INPUT; the message states
  * file, line, path, value and what was expected. */
 po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml);
+
+/* Checks the section `lines`: the names, the forms, the keys of the sweeps, and that every input of
+ * each form is given. Status: as above. */
+po_status po_case_lines_parse(po_case *kase, const po_yaml *yaml);
 
 /* Reports whether the section `sample` draws a key. */
 bool po_case_draws(const po_case_file *file, po_key key);
@@ -27,11 +43,11 @@ po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml);
 /* po_case_traced_parse checks `traced`, and that a check against the reference `traced` exists if
  * and only if the key is given. po_case_traced_draw draws the scenes to trace; it needs the points.
  * Status: as above. */
-po_status po_case_traced_parse(const po_case *kase, const po_yaml *yaml);
+po_status po_case_traced_parse(po_case *kase, const po_yaml *yaml);
 po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml);
 
 /* Checks the section `sweep`, if there is one, and fills it. Status: as above. */
-po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml);
+po_status po_case_sweep_check(po_case *kase, const po_yaml *yaml);
 
 /* Reports whether an item of a sweep varies a key, either directly or by a group. */
 bool po_sweep_varies(const po_sweep *sweep, po_key key);
@@ -51,14 +67,14 @@ bool po_case_varies(const po_case_file *file, po_key key);
 /* Checks the scene, and that scene, sweep and sample together give every key that has no default.
  * Keys that follow from others may be absent: nodes of panels, the wavelength of a smooth sphere.
  * Status: as above. */
-po_status po_case_scene_check(const po_case *kase, const po_yaml *yaml);
+po_status po_case_scene_check(po_case *kase, const po_yaml *yaml);
 
 /* Replaces the names of tables of profiles, which are relative to the case file, by their paths,
  * and reads the tables. Status: as above; PO_CANNOT_READ. */
 po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml);
 
 /* Refuses two keys that set the same, as tabor and coupling. Status: as above. */
-po_status po_case_profile_check(const po_case_file *file, const po_yaml *yaml);
+po_status po_case_profile_check(po_case *kase, const po_yaml *yaml);
 
 /* Computes kase->points: every drawn scene with every combination of the sweep, without those that
  * a rule of `leave_out` excludes. Status: as above; PO_NO_MEMORY. */

@@ -9,7 +9,6 @@
 #include "po_case_parts.h"
 #include "po_given.h"
 #include "po_memory.h"
-#include "po_schema.h"
 
 /* Whether a key follows from the block, and therefore may not be given beside it. */
 static bool is_derived(int key) {
@@ -168,7 +167,8 @@ static const struct {
     {PO_KEY_TABOR, PO_KEY_COUPLING, "only one of tabor and coupling"},
 };
 
-po_status po_case_profile_check(const po_case_file *file, const po_yaml *yaml) {
+po_status po_case_profile_check(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
   const char *const *scene = (const char *const *)file->scene.values;
   for (size_t i = 0; i < sizeof PAIRS / sizeof *PAIRS; ++i) {
     const po_key key = PAIRS[i].key, other = PAIRS[i].other;
@@ -264,7 +264,7 @@ static po_status check_settings(const po_sweep *sweep, unsigned number, const po
   return PO_OK;
 }
 
-po_status po_case_scene_check(const po_case *kase, const po_yaml *yaml) {
+po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   po_request request = po_request_default();
   for (int key = 0; key < PO_KEY_END; ++key)

@@ -4,7 +4,6 @@
 
 #include "po_case_parts.h"
 #include "po_random.h"
-#include "po_schema.h"
 #include "po_series.h"
 
 /* Reports whether a point lies between two checkpoints. Checkpoints, and the last scene of a
@@ -18,7 +17,7 @@ static bool can_be_traced(const po_case_file *file, const po_check *check) {
   return file->traced && po_quantity_is_pull_off(check->quantity);
 }
 
-po_status po_case_traced_parse(const po_case *kase, const po_yaml *yaml) {
+po_status po_case_traced_parse(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   bool checked = !file->traced;
   for (unsigned i = 0; i < file->checks_count; ++i) {

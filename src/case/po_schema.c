@@ -1,9 +1,7 @@
-#include "po_schema.h"
-
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 
+#include "po_case_parts.h"
 #include "po_field_table.h"
 #include "po_memory.h"
 
@@ -155,13 +153,11 @@ static const po_field CASE[] = {
 };
 
 po_status po_schema_refuse(const po_yaml *yaml, const char *expected, const char *format, ...) {
-  char path[200];
   va_list arguments;
   va_start(arguments, format);
-  vsnprintf(path, sizeof path, format, arguments);
+  const po_status status = po_fields_refuse(yaml, CASE, expected, format, arguments);
   va_end(arguments);
-  return po_yaml_refuse(yaml, path,
-                        expected ? expected : po_field_expected(po_fields_find(CASE, path)));
+  return status;
 }
 
 po_status po_schema_load(const po_yaml *yaml, po_case_file **file) {

@@ -6,7 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "po_case_lines.h"
 #include "po_csv.h"
 #include "po_environment.h"
 #include "po_file.h"

@@ -1,6 +1,7 @@
 #include "po_solver.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,46 +60,35 @@ static const po_field MANIFEST[] = {
     {0},
 };
 
-static po_status refuse(const po_yaml *yaml, const char *path) {
-  return po_yaml_refuse(yaml, path, po_field_expected(po_fields_find(MANIFEST, path)));
-}
-
-static po_status parse_bound(const po_yaml *yaml, const char *text, unsigned item, const char *what,
-                             double *bound) {
-  char path[64];
-  if (!text || po_number_parse(text, bound))
-    return PO_OK;
-  snprintf(path, sizeof path, "can.scene[%u].%s", item + 1, what);
-  return refuse(yaml, path);
+static po_status __attribute__((format(printf, 3, 4)))
+refuse(const po_yaml *yaml, const char *expected, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  const po_status status = po_fields_refuse(yaml, MANIFEST, expected, format, arguments);
+  va_end(arguments);
+  return status;
 }
 
 /* Parses an item of can.scene. */
-static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned i) {
-  char path[64];
-  const int key = po_key_of_name(item->axis.key);
-  snprintf(path, sizeof path, "can.scene[%u].key", i + 1);
+static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned number) {
+  const po_axis *axis = &item->axis;
+  const int key = po_key_of_name(axis->key);
   if (key < 0 || !po_key_is_of_scene((po_key)key))
-    return refuse(yaml, path);
-  for (unsigned v = 0; v < item->axis.values_count; ++v) {
+    return refuse(yaml, NULL, "can.scene[%u].key", number);
+  for (unsigned v = 0; v < axis->values_count; ++v) {
     po_request request = po_input_default();
-    snprintf(path, sizeof path, "can.scene[%u].values[%u]", i + 1, v + 1);
-    if (!po_key_set(&request, (po_key)key, item->axis.values[v]))
-      return po_yaml_refuse(yaml, path, po_key_expected((po_key)key));
+    if (!po_key_set(&request, (po_key)key, axis->values[v]))
+      return refuse(yaml, po_key_expected((po_key)key), "can.scene[%u].values[%u]", number, v + 1);
   }
   item->from = -INFINITY;
   item->to = INFINITY;
-  po_status status = parse_bound(yaml, item->axis.from_text, i, "from", &item->from);
-  if (!status)
-    status = parse_bound(yaml, item->axis.to_text, i, "to", &item->to);
-  const bool bounded = item->axis.from_text || item->axis.to_text;
-  snprintf(path, sizeof path, "can.scene[%u]", i + 1);
-  if (!status && bounded && (item->axis.values || !po_key_is_number((po_key)key)))
-    status = po_yaml_refuse(yaml, path, "either values, or from and to for a number");
-  if (!status && item->from > item->to) {
-    snprintf(path, sizeof path, "can.scene[%u].to", i + 1);
-    status = refuse(yaml, path);
-  }
-  return status;
+  if (axis->from_text && !po_number_parse(axis->from_text, &item->from))
+    return refuse(yaml, NULL, "can.scene[%u].from", number);
+  if (axis->to_text && !po_number_parse(axis->to_text, &item->to))
+    return refuse(yaml, NULL, "can.scene[%u].to", number);
+  if ((axis->from_text || axis->to_text) && (axis->values || !po_key_is_number((po_key)key)))
+    return refuse(yaml, "either values, or from and to for a number", "can.scene[%u]", number);
+  return item->from > item->to ? refuse(yaml, NULL, "can.scene[%u].to", number) : PO_OK;
 }
 
 /* Reports whether an external solver can compute a quantity: it has a place in an answer. */
@@ -117,16 +107,15 @@ static bool needs_unstable(po_quantity quantity) {
 static po_status parse_quantities(const po_yaml *yaml, po_solver *solver) {
   const po_solver_can *can = &solver->file->can;
   for (unsigned i = 0; i < can->quantities_count; ++i) {
-    char path[64];
     const int quantity = po_quantity_of_name(can->quantities[i]);
-    snprintf(path, sizeof path, "can.quantities[%u]", i + 1);
     if (quantity == PO_QUANTITY_COUNT || !has_answer((po_quantity)quantity))
-      return po_yaml_refuse(yaml, path, NAMES);
+      return refuse(yaml, NAMES, "can.quantities[%u]", i + 1);
     if (!solver->unstable && needs_unstable((po_quantity)quantity))
-      return po_yaml_refuse(yaml, path,
-                            "a quantity of stable equilibria, because can.unstable is false: "
-                            "pull_off_force, pull_off_approach, contact_radius, hysteresis_force, "
-                            "hysteresis_approach, hysteresis_loss or jumps");
+      return refuse(yaml,
+                    "a quantity of stable equilibria, because can.unstable is false: "
+                    "pull_off_force, pull_off_approach, contact_radius, hysteresis_force, "
+                    "hysteresis_approach, hysteresis_loss or jumps",
+                    "can.quantities[%u]", i + 1);
     solver->quantities |= 1U << quantity;
   }
   return PO_OK;
@@ -136,7 +125,7 @@ static po_status parse_number(const po_yaml *yaml, const char *path, const char 
                               double *number) {
   if (!text || (po_number_parse(text, number) && (*number > 0 || (zero && *number == 0))))
     return PO_OK;
-  return refuse(yaml, path);
+  return refuse(yaml, NULL, "%s", path);
 }
 
 /* Chooses the value of the knob, and composes the name of the solver. */
@@ -162,19 +151,19 @@ static po_status parse(const po_yaml *yaml, const char *knob, po_solver *solver)
   const po_solver_file *file = solver->file;
   po_status status = PO_OK;
   if (strcmp(file->protocol, PO_SOLVER_PROTOCOL) != 0)
-    return refuse(yaml, "protocol");
+    return refuse(yaml, NULL, "protocol");
   if (!po_case_is_name(file->name) || strcmp(file->name, "pulloff") == 0)
-    return refuse(yaml, "solver");
+    return refuse(yaml, NULL, "solver");
   solver->unstable = strcmp(file->can.unstable, "true") == 0;
   if (!solver->unstable && strcmp(file->can.unstable, "false") != 0)
-    return refuse(yaml, "can.unstable");
+    return refuse(yaml, NULL, "can.unstable");
   for (unsigned i = 0; !status && i < file->can.scene_count; ++i)
-    status = parse_key(yaml, &file->can.scene[i], i);
+    status = parse_key(yaml, &file->can.scene[i], i + 1);
   if (!status)
     status = parse_quantities(yaml, solver);
   for (unsigned i = 0; !status && file->knob && i < file->knob->values_count; ++i)
     if (strchr(file->knob->values[i], '/'))
-      status = refuse(yaml, "knob.values");
+      status = refuse(yaml, NULL, "knob.values");
   solver->start_limit = START_LIMIT;
   solver->time_limit = TIME_LIMIT;
   if (!status)

@@ -1,6 +1,5 @@
 #include "po_fields.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,12 +35,13 @@ static void leave(place *at, size_t length) {
   at->path[length] = '\0';
 }
 
-const char *po_field_expected(const po_field *field) {
+/* Returned: the permitted values of a field, as in messages. */
+static const char *expected_of(const po_field *field) {
   return field->expected ? field->expected : po_key_expected((po_key)po_given_key(field->key));
 }
 
 static po_status refuse(const place *at, const po_field *field) {
-  return po_yaml_refuse(at->yaml, at->path, po_field_expected(field));
+  return po_yaml_refuse(at->yaml, at->path, expected_of(field));
 }
 
 /* Returned: the node with a number. */
@@ -186,7 +186,8 @@ void po_fields_clear(const po_field *fields, void *structure) {
   }
 }
 
-const po_field *po_fields_find(const po_field *fields, const char *path) {
+/* Returned: the field at a path; NULL: no such field. */
+static const po_field *find(const po_field *fields, const char *path) {
   const po_field *field = NULL;
   while (*path) {
     path += *path == '.';
@@ -202,4 +203,11 @@ const po_field *po_fields_find(const po_field *fields, const char *path) {
       path += strcspn(path, "]") + 1;
   }
   return field;
+}
+
+po_status po_fields_refuse(const po_yaml *yaml, const po_field *fields, const char *expected,
+                           const char *format, va_list arguments) {
+  char path[200];
+  vsnprintf(path, sizeof path, format, arguments);
+  return po_yaml_refuse(yaml, path, expected ? expected : expected_of(find(fields, path)));
 }

@@ -2,6 +2,7 @@
 #ifndef PO_FIELDS_H
 #define PO_FIELDS_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -33,10 +34,10 @@ typedef struct po_field {
 po_status po_fields_load(const po_yaml *yaml, const po_field *fields, void *structure);
 void po_fields_clear(const po_field *fields, void *structure);
 
-/* Returned: the field at a path such as "checks[2].kind"; NULL: no such field. */
-const po_field *po_fields_find(const po_field *fields, const char *path);
-
-/* Returned: the permitted values of a field, as in messages. */
-const char *po_field_expected(const po_field *field);
+/* Calls po_yaml_refuse for the path that `format` and its arguments give, such as "checks[2].kind".
+ * Given: `expected`, the permitted values; NULL: those of the field at this path, which exists. */
+po_status po_fields_refuse(const po_yaml *yaml, const po_field *fields, const char *expected,
+                           const char *format, va_list arguments)
+    __attribute__((format(printf, 4, 0)));
 
 #endif
