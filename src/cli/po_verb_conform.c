@@ -73,21 +73,19 @@ int po_verb_conform(int argc, char **argv) {
     status = po_fail(PO_BAD_INPUT, "conform needs one manifest (see pulloff conform --help)");
   if (!status)
     status = po_solver_read(argv[optind], line.knob, &solver);
-  po_conform_report report = {.tell = true};
+  size_t wrong = 0;
   char *folder = status ? NULL : po_solver_folder(solver, line.output);
   if (!status && !folder)
     status = PO_NO_MEMORY;
   if (!status) {
     const size_t existing = existing_part(folder);
     po_print_solver(solver, stdout);
-    status = po_conform(solver, po_environment_data(), folder, po_interrupt_listen(), &report);
+    status = po_conform(solver, po_environment_data(), folder, po_interrupt_listen(), &wrong);
     remove_empty(folder, existing);
   }
-  const size_t wrong = report.wrong;
   if (!status && wrong)
     printf("%zu %s wrong\n", wrong, wrong == 1 ? "finding is" : "findings are");
   const int code = status ? po_options_end(status) : wrong ? PO_EXIT_OUTSIDE : PO_EXIT_OK;
-  po_text_clear(&report.lines);
   po_solver_destroy(solver);
   free(folder);
   return code;

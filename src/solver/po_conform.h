@@ -5,18 +5,13 @@
 #include <signal.h>
 
 #include "po_ask.h"
-#include "po_text.h"
 
-typedef struct {
-  po_text lines; /* the findings, one a line: "ok ...", "note ..." or "wrong ..." */
-  size_t wrong;  /* number of findings that are wrong */
-  bool tell;     /* print each finding on standard output at once */
-} po_conform_report;
-
-/* Makes all tests. Given: the folder of the reference tables, and the folder in which the solver
- * runs. Status: PO_CANNOT_READ (a reference table), PO_CANNOT_WRITE, PO_INTERRUPTED, PO_NO_MEMORY.
- * A solver that does not conform does not change the status. */
+/* Makes all tests, and prints each finding at once as a line, "ok ...", "note ..." or "wrong ...".
+ * Given: the folder of the reference tables, and the folder in which the solver runs. Returned:
+ * *wrong, the number of findings that are wrong. Status: PO_CANNOT_READ (a reference table),
+ * PO_CANNOT_WRITE, PO_INTERRUPTED, PO_NO_MEMORY. A solver that does not conform does not change the
+ * status. */
 po_status po_conform(const po_solver *solver, const char *data_folder, const char *folder,
-                     const volatile sig_atomic_t *stop, po_conform_report *report);
+                     const volatile sig_atomic_t *stop, size_t *wrong);
 
 #endif

@@ -329,7 +329,7 @@ static void read_output(po_process *process) {
     process->written += (size_t)got;
     keep_output(&process->end, bytes, (size_t)got);
     if (process->written > MOST_BYTES && !process->end.flooded) {
-      process->end.flooded = process->end.stopped = true;
+      process->end.flooded = true;
       kill(-process->pid, SIGKILL);
     }
   }
@@ -379,7 +379,6 @@ bool po_process_wait(po_process *process, double seconds) {
 void po_process_stop(po_process *process, double grace) {
   if (!process->running)
     return;
-  process->end.stopped = true;
   kill(-process->pid, SIGTERM);
   const double until = po_clock_wall() + grace;
   while (!po_process_wait(process, 0.05) && po_clock_wall() < until)

@@ -15,7 +15,6 @@
 typedef struct {
   int code;         /* its exit status; -1: a signal ended it */
   int signal;       /* that signal; 0: none */
-  bool stopped;     /* by po_process_stop, or because it wrote too much */
   bool flooded;     /* it wrote too much to its standard output */
   bool left;        /* it left processes of its group behind */
   double wall;      /* seconds from start to end */

@@ -11,7 +11,7 @@ typedef struct {
   char id[PO_QUESTION_ID];
   po_request request;
   unsigned want;    /* bit set of 1 << po_quantity: those that the answer must contain */
-  unsigned repeats; /* number of answers, each for a solve from the beginning */
+  unsigned repeats; /* number of answers, each for a solve from the beginning; less than 32 */
   double limit;     /* seconds for each of them */
 } po_question;
 

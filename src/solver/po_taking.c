@@ -52,15 +52,15 @@ static po_status take_answer(po_taking *t, size_t q, po_answer *answer) {
     snprintf(reason, sizeof reason, "repeat is %u: expected at most %u", answer->repeat, repeats);
     return po_taking_give_up(t, q, PO_INVALID, reason);
   }
-  if (t->seen[q * repeats + answer->repeat - 1]) {
+  const unsigned bit = 1U << (answer->repeat - 1);
+  if (t->seen[q] & bit) {
     snprintf(reason, sizeof reason, "two answers for repeat %u: expected one", answer->repeat);
     return po_taking_give_up(t, q, PO_INVALID, reason);
   }
-  t->seen[q * repeats + answer->repeat - 1] = true;
-  t->answers[q] += 1;
+  t->seen[q] |= bit;
   t->ever = true;
   /* a failure needs no repetition */
-  const bool final = t->answers[q] == repeats || answer->result.status != PO_OK;
+  const bool final = t->seen[q] == (1U << repeats) - 1 || answer->result.status != PO_OK;
   if (final)
     t->open[q] = false;
   return t->take(t->context, q, answer, final);
@@ -205,27 +205,22 @@ void po_taking_begin(po_taking *t) {
   t->unusual = false;
   for (size_t q = 0; q < t->count; ++q) {
     t->asked[q] = t->open[q];
-    if (t->open[q]) {
-      t->answers[q] = 0;
-      for (unsigned k = 0; k < t->questions[q].repeats; ++k)
-        t->seen[q * t->questions[q].repeats + k] = false;
-    }
+    if (t->open[q])
+      t->seen[q] = 0;
   }
 }
 
 po_status po_taking_make(const po_question *questions, size_t count, po_answer_taker *take,
                          void *context, po_taking *t) {
-  const unsigned repeats = count ? questions[0].repeats : 1;
   *t = (po_taking){.questions = questions,
                    .count = count,
                    .take = take,
                    .context = context,
                    .open = po_allocate(count, sizeof(bool)),
                    .asked = po_allocate(count, sizeof(bool)),
-                   .answers = po_allocate(count, sizeof(unsigned)),
-                   .seen = po_allocate(count * repeats, sizeof(bool)),
+                   .seen = po_allocate(count, sizeof(unsigned)),
                    .spoiled = po_allocate(count, sizeof(bool))};
-  if (!(t->open && t->asked && t->answers && t->seen && t->spoiled))
+  if (!(t->open && t->asked && t->seen && t->spoiled))
     return PO_NO_MEMORY;
   for (size_t i = 0; i < count; ++i)
     t->open[i] = true;
@@ -235,7 +230,6 @@ po_status po_taking_make(const po_question *questions, size_t count, po_answer_t
 void po_taking_clear(po_taking *t) {
   free(t->open);
   free(t->asked);
-  free(t->answers);
   free(t->seen);
   free(t->spoiled);
   *t = (po_taking){0};

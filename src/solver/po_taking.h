@@ -32,13 +32,12 @@ typedef struct {
   size_t count;
   po_answer_taker *take;
   void *context;
-  bool *open;        /* one a question: it has not been answered */
-  bool *asked;       /* one a question: the present process was asked */
-  unsigned *answers; /* one a question: number of answers so far */
-  bool *seen;        /* `repeats` a question: this repeat was answered */
-  bool *spoiled;     /* one a question: it has got an invalid answer */
-  bool ever;         /* the solver has answered something */
-  bool unusual; /* the present process has given an invalid answer, or did not end as it should */
+  bool *open;     /* one a question: it has not been answered */
+  bool *asked;    /* one a question: the present process was asked */
+  unsigned *seen; /* one a question: bit set of the repeats that were answered */
+  bool *spoiled;  /* one a question: it has got an invalid answer */
+  bool ever;      /* the solver has answered something */
+  bool unusual;   /* the present process has given an invalid answer, or did not end as it should */
   char complaint[sizeof((po_result *)0)->reason]; /* about a line that belongs to no question */
 } po_taking;
 
