@@ -253,8 +253,9 @@ static po_status prepare_solver(po_session *session, size_t s) {
   session->folders[s] = folder;
   po_status status = folder ? PO_OK : PO_NO_MEMORY;
   for (size_t i = 0; !status && i < count; ++i) {
-    runs[i].output = folder;
-    status = po_record_check_owner(&runs[i], folder);
+    status = po_case_run_place(&runs[i], folder);
+    if (!status)
+      status = po_record_check_owner(&runs[i]);
   }
   if (!status && session->shard.count)
     status =

@@ -4,7 +4,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "po_file.h"
 #include "po_memory.h"
+
+void po_case_run_exclude(po_case_run *run, size_t point, const char *why) {
+  po_result *result = &run->results[point];
+  po_result_clear(result);
+  *result = po_result_none();
+  result->status = PO_UNSUPPORTED;
+  result->work.seconds = (double)NAN;
+  snprintf(result->reason, sizeof result->reason, "not asked: %s", why);
+  run->beyond[point] = true;
+}
 
 /* Marks the points that the manifest of an external solver excludes. */
 static po_status exclude(po_case_run *run) {
@@ -15,15 +26,12 @@ static po_status exclude(po_case_run *run) {
   if (!run->beyond)
     return PO_NO_MEMORY;
   for (size_t i = 0; i < plan->kase->point_count; ++i) {
-    po_result *result = &run->results[i];
     char why[PO_SOLVER_WHY] = "the case wants no quantity that the solver computes";
-    *result = po_result_none();
+    run->results[i] = po_result_none();
     if (!nothing && po_solver_accepts(plan->solver, &plan->kase->points[i].request, why))
       continue;
-    run->beyond[i] = run->done[i] = true;
-    result->status = PO_UNSUPPORTED;
-    result->work.seconds = (double)NAN;
-    snprintf(result->reason, sizeof result->reason, "not asked: %s", why);
+    po_case_run_exclude(run, i, why);
+    run->done[i] = true;
   }
   return PO_OK;
 }
@@ -68,6 +76,7 @@ void po_case_run_clear(po_case_run *run) {
     po_result_clear(&run->results[i]);
   for (size_t i = 0; run->traces && i < run->plan->kase->point_count; ++i)
     po_result_clear(&run->traces[i]);
+  free(run->folder);
   free(run->results);
   free(run->traces);
   free(run->seconds);
@@ -85,6 +94,12 @@ void po_case_run_clear(po_case_run *run) {
   po_check_results_clear(&run->measured);
   po_plan_destroy(run->plan);
   *run = (po_case_run){0};
+}
+
+po_status po_case_run_place(po_case_run *run, const char *output) {
+  if (!run->folder)
+    run->folder = po_path_join(output, run->plan->kase->file->name);
+  return run->folder ? PO_OK : PO_NO_MEMORY;
 }
 
 void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count) {

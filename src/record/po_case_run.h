@@ -27,7 +27,7 @@ typedef struct {
 
 typedef struct {
   po_plan *plan;
-  const char *output; /* the folder of its records; NULL: po_run_options.output */
+  char *folder;       /* of its records and its journal; NULL: see po_case_run_place */
   po_result *results; /* one a point */
   po_result *traces;  /* one a point; filled for points of a series that are also traced */
   double *seconds;    /* wall time of each solve; `repeats` values a point, NAN: not solved */
@@ -68,6 +68,13 @@ typedef struct {
  * external solver excludes are marked as beyond it, and done. Status: PO_NO_MEMORY. */
 po_status po_case_run_create(po_plan *plan, po_case_run *run);
 void po_case_run_clear(po_case_run *run);
+
+/* Sets the folder of the records to OUTPUT/CASE, unless it is set. Status: PO_NO_MEMORY. */
+po_status po_case_run_place(po_case_run *run, const char *output);
+
+/* Marks a point as beyond an external solver, which is not asked for it. Given: `why`, the reason.
+ */
+void po_case_run_exclude(po_case_run *run, size_t point, const char *why);
 
 /* Requests only the existing points with numbers in these ranges. */
 void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count);

@@ -8,13 +8,7 @@
 #include "po_file.h"
 #include "po_record_point.h"
 
-/* Returned: the folder of the case and the path of the journal, which the caller frees; false
- * without memory. */
-static bool find_journal(const po_case_run *run, const char *output, char **folder, char **path) {
-  *folder = po_path_join(output, run->plan->kase->file->name);
-  *path = *folder ? po_path_join(*folder, "points.jsonl") : NULL;
-  return *path != NULL;
-}
+static const char NAME[] = "points.jsonl";
 
 /* Reads a point if it is requested and its key agrees. A result that is known already remains if
  * the entry does not have its checksum. */
@@ -47,10 +41,10 @@ static po_status read_line(po_case_run *run, const char *line, size_t length, bo
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
 
-po_status po_journal_read(po_case_run *run, const char *output) {
-  char *folder = NULL, *path = NULL, *bytes = NULL;
+po_status po_journal_read(po_case_run *run, const char *folder) {
+  char *path = po_path_join(folder, NAME), *bytes = NULL;
   size_t size = 0;
-  po_status status = find_journal(run, output, &folder, &path) ? PO_OK : PO_NO_MEMORY;
+  po_status status = path ? PO_OK : PO_NO_MEMORY;
   if (!status && po_path_exists(path))
     status = po_file_read(path, &bytes, &size);
   for (size_t begin = 0; !status && begin < size;) {
@@ -61,7 +55,6 @@ po_status po_journal_read(po_case_run *run, const char *output) {
   }
   free(bytes);
   free(path);
-  free(folder);
   return status;
 }
 
@@ -74,11 +67,9 @@ static po_status append(const char *path, const json_t *entry) {
   return status;
 }
 
-po_status po_journal_add(const po_case_run *run, size_t point, const char *output) {
-  char *folder = NULL, *path = NULL, key[PO_DIGEST_LENGTH];
-  po_status status = find_journal(run, output, &folder, &path) ? PO_OK : PO_NO_MEMORY;
-  if (!status)
-    status = po_record_key(run, point, key);
+po_status po_journal_add(const po_case_run *run, size_t point, const char *folder) {
+  char *path = po_path_join(folder, NAME), key[PO_DIGEST_LENGTH];
+  po_status status = path ? po_record_key(run, point, key) : PO_NO_MEMORY;
   if (!status)
     status = po_folder_make(folder);
   json_t *object = NULL;
@@ -91,16 +82,14 @@ po_status po_journal_add(const po_case_run *run, size_t point, const char *outpu
   } else
     json_decref(object);
   free(path);
-  free(folder);
   return status;
 }
 
-po_status po_journal_remove(const po_case_run *run, const char *output) {
-  char *folder = NULL, *path = NULL;
-  po_status status = find_journal(run, output, &folder, &path) ? PO_OK : PO_NO_MEMORY;
+po_status po_journal_remove(const char *folder) {
+  char *path = po_path_join(folder, NAME);
+  po_status status = path ? PO_OK : PO_NO_MEMORY;
   if (!status && unlink(path) != 0 && errno != ENOENT)
     status = po_fail(PO_CANNOT_WRITE, "%s cannot be removed: %s", path, strerror(errno));
   free(path);
-  free(folder);
   return status;
 }

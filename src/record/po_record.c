@@ -311,33 +311,17 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"solver", solver_json(run)});
 }
 
-/* Marks the points that are not requested as beyond an external solver. */
-static void exclude_others(po_case_run *run) {
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
-    po_result *result = &run->results[i];
-    if (run->asked[i])
-      continue;
-    run->beyond[i] = true;
-    po_result_clear(result);
-    *result = po_result_none();
-    result->status = PO_UNSUPPORTED;
-    result->work.seconds = (double)NAN;
-    snprintf(result->reason, sizeof result->reason,
-             "not asked: the run was limited to other points");
-  }
-}
-
-po_status po_record_write(po_case_run *run, const char *output, int jobs,
+po_status po_record_write(po_case_run *run, const char *folder, int jobs,
                           const volatile sig_atomic_t *stop) {
   const bool whole = po_case_run_is_whole(run);
-  char *folder = po_path_join(output, run->plan->kase->file->name);
-  char *part = folder ? po_path_join(folder, "part.json") : NULL;
-  char *path = part && whole ? po_path_join(folder, "record.json") : NULL;
+  char *part = po_path_join(folder, "part.json");
+  char *path = po_path_join(folder, "record.json");
   json_t *points = NULL, *lines = NULL;
   po_text text = {0};
-  po_status status = part && (path || !whole) ? po_folder_make(folder) : PO_NO_MEMORY;
-  if (!whole)
-    exclude_others(run);
+  po_status status = part && path ? po_folder_make(folder) : PO_NO_MEMORY;
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    if (!run->asked[i])
+      po_case_run_exclude(run, i, "the run was limited to other points");
   if (!status)
     status = write_points(run, folder, &points);
   if (!status)
@@ -357,6 +341,5 @@ po_status po_record_write(po_case_run *run, const char *output, int jobs,
   po_text_clear(&text);
   free(path);
   free(part);
-  free(folder);
   return status;
 }

@@ -308,7 +308,7 @@ static po_status check(const po_case_run *run, size_t point, json_t *entry) {
   return status;
 }
 
-static const char *string_of(const json_t *object, const char *key) {
+const char *po_record_text(const json_t *object, const char *key) {
   const char *text = json_string_value(json_object_get(object, key));
   return text ? text : "";
 }
@@ -319,8 +319,8 @@ static double number_or_nan(const json_t *value) {
 
 static po_status read_table(const json_t *point, bool profile, bool needed, const char *folder,
                             po_result *result) {
-  const char *name = string_of(point, profile ? "profile" : "curve");
-  const char *digest = string_of(point, profile ? "profile_sha256" : "curve_sha256");
+  const char *name = po_record_text(point, profile ? "profile" : "curve");
+  const char *digest = po_record_text(point, profile ? "profile_sha256" : "curve_sha256");
   if (!*name)
     return needed && result->status == PO_OK ? PO_NOT_FOUND : PO_OK;
   char *path = po_path_join(folder, name);
@@ -337,7 +337,7 @@ static po_status read_numbers(po_case_run *run, size_t index, const json_t *entr
   const unsigned repeats = run->plan->kase->repeats;
   const json_t *seconds = json_object_get(entry, "seconds_all");
   const json_t *processor = json_object_get(entry, "processor_seconds_all");
-  if (strcmp(string_of(entry, "id"), run->plan->kase->points[index].id) != 0 ||
+  if (strcmp(po_record_text(entry, "id"), run->plan->kase->points[index].id) != 0 ||
       json_array_size(seconds) > repeats || json_array_size(processor) != json_array_size(seconds))
     return PO_NOT_FOUND;
   po_status status = po_json_read_result(entry, &run->results[index]);

@@ -6,6 +6,9 @@
 #include "po_case_run.h"
 #include "po_json_digest.h"
 
+/* Returned: a member that is a text; "" if it is none. */
+const char *po_record_text(const json_t *object, const char *key);
+
 /* Returned: the entry of a point without tables and checksum; NULL without memory. */
 json_t *po_record_point(const po_case_run *run, size_t index);
 

@@ -7,11 +7,6 @@
 #include "po_record.h"
 #include "po_record_point.h"
 
-static const char *string_of(const json_t *object, const char *key) {
-  const char *text = json_string_value(json_object_get(object, key));
-  return text ? text : "";
-}
-
 /* A damaged record counts as absent. Without memory it is not known whether it is damaged. */
 static po_status found_or_not(po_status status) {
   return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
@@ -22,10 +17,10 @@ static po_status check_lines(const json_t *lines, const char *folder) {
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < json_array_size(lines); ++i) {
     const json_t *line = json_array_get(lines, i);
-    char *path = po_path_join(folder, string_of(line, "table"));
+    char *path = po_path_join(folder, po_record_text(line, "table"));
     po_csv csv = {0};
     status = path ? po_csv_read(path, path, &csv) : PO_NO_MEMORY;
-    if (!status && strcmp(csv.digest, string_of(line, "table_sha256")) != 0)
+    if (!status && strcmp(csv.digest, po_record_text(line, "table_sha256")) != 0)
       status = PO_NOT_FOUND;
     po_csv_clear(&csv);
     free(path);
@@ -38,7 +33,7 @@ static po_status check_lines(const json_t *lines, const char *folder) {
 static po_status read_record(po_case_run *run, const json_t *record, bool intact,
                              const char *folder) {
   const json_t *points = json_object_get(record, "points");
-  if (strcmp(string_of(record, "solve_key"), run->plan->solve_key) != 0 &&
+  if (strcmp(po_record_text(record, "solve_key"), run->plan->solve_key) != 0 &&
       (intact || !json_object_get(record, "checksum")))
     return PO_NOT_FOUND; /* of other scenes or of another program */
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
@@ -51,7 +46,8 @@ static po_status read_record(po_case_run *run, const json_t *record, bool intact
   if (lines == PO_NO_MEMORY)
     return lines;
   run->damaged = !intact || lines;
-  snprintf(run->old_key, sizeof run->old_key, "%s", run->damaged ? "" : string_of(record, "key"));
+  snprintf(run->old_key, sizeof run->old_key, "%s",
+           run->damaged ? "" : po_record_text(record, "key"));
   run->elapsed = json_number_value(json_object_get(record, "seconds"));
   run->kept = run->finished = true;
   run->pending = 0;
@@ -73,36 +69,32 @@ static po_status load(const char *folder, json_t **record, bool *intact, bool *e
   return found_or_not(status);
 }
 
-po_status po_record_read(po_case_run *run, const char *output) {
-  char *folder = po_path_join(output, run->plan->kase->file->name);
+po_status po_record_read(po_case_run *run, const char *folder) {
   json_t *record = NULL;
   bool intact = false, exists = false;
-  po_status status = folder ? load(folder, &record, &intact, &exists) : PO_NO_MEMORY;
+  po_status status = load(folder, &record, &intact, &exists);
   if (status == PO_NOT_FOUND && exists)
     run->altered += run->asked_count;
   if (!status)
     status = read_record(run, record, intact, folder);
   json_decref(record);
-  free(folder);
   return found_or_not(status);
 }
 
-po_status po_record_check_owner(const po_case_run *run, const char *output) {
+po_status po_record_check_owner(const po_case_run *run) {
   const po_case *kase = run->plan->kase;
   json_t *record = NULL;
   bool intact, exists;
   if (!kase->is_own)
     return PO_OK;
-  char *folder = po_path_join(output, kase->file->name);
-  po_status status = folder ? load(folder, &record, &intact, &exists) : PO_NO_MEMORY;
-  const char *owner = string_of(record, "file");
+  po_status status = load(run->folder, &record, &intact, &exists);
+  const char *owner = po_record_text(record, "file");
   if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
     status = po_fail(
         PO_BAD_INPUT,
         "%s: name is %s: expected another name or another folder for the records, as %s contains "
         "the record of %s",
-        kase->shown, kase->file->name, folder, owner);
+        kase->shown, kase->file->name, run->folder, owner);
   json_decref(record);
-  free(folder);
   return status == PO_NOT_FOUND ? PO_OK : status;
 }

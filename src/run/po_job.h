@@ -54,6 +54,15 @@ po_job_work po_job_share;
  * without points, once a round. */
 po_job_work po_job_round;
 
+/* Returned: the median of `count` times, of which those that are NAN are left out; NAN if all are.
+ */
+double po_times_median(const double *seconds, unsigned count);
+
+/* Returned: whether the solves of a point before a round took a tenth of a second together, so
+ * that it is not solved again. Given: the processor time of each round, in seconds; NAN: not
+ * solved. */
+bool po_times_are_enough(const double *seconds, unsigned round);
+
 /* Reports whether a point is the first of the requested open points with its question, for which
  * the question is asked. */
 bool po_run_solver_leads(const po_case_run *run, size_t point);

@@ -9,11 +9,7 @@
 #include "po_memory.h"
 #include "po_order.h"
 #include "po_record.h"
-
-static const char *string_of(const json_t *object, const char *key) {
-  const char *text = json_string_value(json_object_get(object, key));
-  return text ? text : "";
-}
+#include "po_record_point.h"
 
 static const json_t *cases_of(const po_merge_part *part) {
   return json_object_get(part->root, "cases");
@@ -41,8 +37,8 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
     return status;
   const json_int_t number = json_integer_value(json_object_get(part->root, "shard"));
   const json_int_t of = json_integer_value(json_object_get(part->root, "of"));
-  if (strcmp(string_of(part->root, "schema"), PO_SHARD_SCHEMA) != 0 || number < 1 || number > of ||
-      json_array_size(cases_of(part)) == 0)
+  if (strcmp(po_record_text(part->root, "schema"), PO_SHARD_SCHEMA) != 0 || number < 1 ||
+      number > of || json_array_size(cases_of(part)) == 0)
     return po_fail(PO_CANNOT_READ, "%s is damaged: expected the description of a shard", path);
   if (!intact)
     return po_fail(PO_CANNOT_READ, "%s was altered: it does not have its checksum", path);
@@ -82,8 +78,8 @@ static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
   const json_t *mine = cases_of(a), *theirs = cases_of(b);
   for (size_t i = 0; i < json_array_size(mine) || i < json_array_size(theirs); ++i) {
     const json_t *x = json_array_get(mine, i), *y = json_array_get(theirs, i);
-    if (strcmp(string_of(x, "case"), string_of(y, "case")) != 0)
-      return string_of(y ? y : x, "case");
+    if (strcmp(po_record_text(x, "case"), po_record_text(y, "case")) != 0)
+      return po_record_text(y ? y : x, "case");
   }
   return NULL;
 }
@@ -93,7 +89,7 @@ static po_status check_part(const po_merge_part *first, const po_merge_part *par
   if (part->shard.count != first->shard.count)
     return po_fail(PO_BAD_INPUT, "%s is one of %zu shards: expected one of %zu, as %s is",
                    part->path, part->shard.count, first->shard.count, first->path);
-  if (strcmp(string_of(first->root, "program"), string_of(part->root, "program")) != 0)
+  if (strcmp(po_record_text(first->root, "program"), po_record_text(part->root, "program")) != 0)
     return po_fail(PO_BAD_INPUT,
                    "%s was computed by another program than %s: expected the same program",
                    part->path, first->path);
@@ -104,10 +100,10 @@ static po_status check_part(const po_merge_part *first, const po_merge_part *par
                    first->path, other);
   for (size_t i = 0; i < json_array_size(cases_of(part)); ++i) {
     const json_t *entry = json_array_get(cases_of(part), i);
-    if (strcmp(string_of(entry, "solve_key"),
-               string_of(json_array_get(cases_of(first), i), "solve_key")) != 0)
+    if (strcmp(po_record_text(entry, "solve_key"),
+               po_record_text(json_array_get(cases_of(first), i), "solve_key")) != 0)
       return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
-                     part->path, string_of(entry, "case"), first->path);
+                     part->path, po_record_text(entry, "case"), first->path);
   }
   return PO_OK;
 }
@@ -183,7 +179,7 @@ po_status po_merge_cases(const po_merge *merge, char ***names, size_t *count) {
   if (!*names)
     return PO_NO_MEMORY;
   for (size_t i = 0; i < json_array_size(cases); ++i) {
-    (*names)[i] = po_copy_text(string_of(json_array_get(cases, i), "argument"));
+    (*names)[i] = po_copy_text(po_record_text(json_array_get(cases, i), "argument"));
     if (!(*names)[i])
       return PO_NO_MEMORY;
     *count += 1;
@@ -197,27 +193,29 @@ double po_merge_time_limit(const po_merge *merge) {
 
 /* Checks that the shards were computed by this program, for the scenes of these cases. */
 static po_status check_runs(const po_merge_part *first, const po_case_run *runs, size_t count) {
-  if (strcmp(string_of(first->root, "program"), runs[0].plan->program) != 0)
+  if (strcmp(po_record_text(first->root, "program"), runs[0].plan->program) != 0)
     return po_fail(
         PO_BAD_INPUT,
         "%s was computed by another program: expected the program that merges the shards",
         first->path);
   for (size_t r = 0; r < count; ++r) {
     const json_t *entry = json_array_get(cases_of(first), r);
-    if (strcmp(string_of(entry, "case"), runs[r].plan->kase->file->name) != 0 ||
-        strcmp(string_of(entry, "solve_key"), runs[r].plan->solve_key) != 0)
+    if (strcmp(po_record_text(entry, "case"), runs[r].plan->kase->file->name) != 0 ||
+        strcmp(po_record_text(entry, "solve_key"), runs[r].plan->solve_key) != 0)
       return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
-                     first->path, string_of(entry, "case"), runs[r].plan->kase->shown);
+                     first->path, po_record_text(entry, "case"), runs[r].plan->kase->shown);
   }
   return PO_OK;
 }
 
 /* Reads the points from the journal, and those that it lacks from a record: a shard that solved all
  * points of a case has a record in place of a journal. */
-static po_status read_results(po_case_run *run, const char *folder) {
-  po_status status = po_journal_read(run, folder);
+static po_status read_results(po_case_run *run, const char *output) {
+  char *folder = po_path_join(output, run->plan->kase->file->name);
+  po_status status = folder ? po_journal_read(run, folder) : PO_NO_MEMORY;
   if (!status && !po_case_run_is_done(run))
     status = po_record_read(run, folder);
+  free(folder);
   run->kept = run->finished = false;
   run->old_key[0] = '\0';
   return status == PO_NOT_FOUND ? PO_OK : status;

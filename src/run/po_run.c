@@ -146,10 +146,10 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
   po_status status = po_run_check(run, options->stop);
   if (!status &&
       (whole ? strcmp(run->old_key, run->plan->key) != 0 : run->plan->solver != NULL && !run->kept))
-    status = po_record_write(run, run->output, crew->jobs, options->stop);
+    status = po_record_write(run, run->folder, crew->jobs, options->stop);
   run->finished = status == PO_OK;
   if (!status && whole)
-    status = po_journal_remove(run, run->output);
+    status = po_journal_remove(run->folder);
   if (!status && !(options->brief && crew->progress.live))
     report_finished(crew, run);
   return status;
@@ -186,7 +186,7 @@ static po_status take(void *context, po_case_run *run, size_t point, bool last) 
     return PO_OK;
   run->pending -= !run->done[point];
   run->done[point] = true;
-  return po_journal_add(run, point, run->output);
+  return po_journal_add(run, point, run->folder);
 }
 
 /* Does a job, and finishes the case if nothing of it is left to do. */
@@ -264,7 +264,7 @@ static po_status mark_interleaved(po_crew *crew, size_t count) {
       changed = changed || run->interleaved[i] != before;
     }
     if (run->finished && changed)
-      status = po_record_write(run, run->output, crew->jobs, crew->options->stop);
+      status = po_record_write(run, run->folder, crew->jobs, crew->options->stop);
   }
   return status;
 }
@@ -338,17 +338,17 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
   if (po_case_run_is_done(run) && run->asked_count)
     return finish_case(crew, run); /* merged from shards */
   if (options->fresh && po_case_run_is_whole(run)) {
-    const po_status status = po_journal_remove(run, run->output);
+    const po_status status = po_journal_remove(run->folder);
     if (status)
       return status;
   } else if (!options->fresh) {
-    po_status status = po_record_read(run, run->output);
+    po_status status = po_record_read(run, run->folder);
     if (!status) {
       report_altered(crew, run);
       return finish_case(crew, run);
     }
     if (status == PO_NOT_FOUND)
-      status = po_journal_read(run, run->output);
+      status = po_journal_read(run, run->folder);
     if (!status && run->plan->solver)
       status = po_run_solver_recover(run);
     if (status)
@@ -379,9 +379,9 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
     status = po_folder_make(options->output);
   progress_begin(&crew.progress, 0, 0);
   for (size_t i = 0; !status && i < count; ++i) {
-    if (!runs[i].output)
-      runs[i].output = options->output;
-    status = begin_case(&crew, &runs[i]);
+    status = po_case_run_place(&runs[i], options->output);
+    if (!status)
+      status = begin_case(&crew, &runs[i]);
     if (status == PO_INTERRUPTED) /* work_through reports it */
       status = PO_OK;
   }

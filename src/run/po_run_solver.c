@@ -6,12 +6,10 @@
 #include <string.h>
 
 #include "po_ask_folder.h"
-#include "po_file.h"
 #include "po_input.h"
 #include "po_journal.h"
 #include "po_json.h"
 #include "po_memory.h"
-#include "po_times.h"
 #include "po_watch.h"
 
 /* Reports whether an external solver is asked the same for two points: they differ only in the mesh
@@ -164,19 +162,16 @@ static po_status keep_log(po_case_run *run, po_ask_log *log) {
 po_status po_job_share(po_case_run *run, const po_job *job, const po_job_desk *desk) {
   share_of_run s = {.desk = desk};
   po_ask_log log = {0};
-  char *folder = po_path_join(run->output, run->plan->kase->file->name);
-  po_status status = folder ? PO_OK : PO_NO_MEMORY;
+  po_status status = PO_OK;
 #pragma omp critical(po_run_finish)
-  if (!status)
-    status = collect(run, job->point, run->chunks, &s);
+  status = collect(run, job->point, run->chunks, &s);
   if (!status && s.count)
-    status = po_ask(run->plan->solver, s.questions, s.count, folder, run->plan->solve_key,
+    status = po_ask(run->plan->solver, s.questions, s.count, run->folder, run->plan->solve_key,
                     desk->stop, take, &s, &log);
   if (!status)
     status = keep_log(run, &log);
   po_ask_log_clear(&log);
   clear_share(&s);
-  free(folder);
   return status;
 }
 
@@ -185,18 +180,16 @@ po_status po_job_share(po_case_run *run, const po_job *job, const po_job_desk *d
 static po_status take_recovered(void *context, po_case_run *run, size_t point, bool last) {
   (void)context;
   run->done[point] = last;
-  return po_journal_add(run, point, run->output);
+  return po_journal_add(run, point, run->folder);
 }
 
 po_status po_run_solver_recover(po_case_run *run) {
   static const po_job_desk JOURNAL = {.take = take_recovered};
   share_of_run s = {.desk = &JOURNAL};
-  char *folder = po_path_join(run->output, run->plan->kase->file->name);
-  po_status status = folder ? collect(run, 0, 1, &s) : PO_NO_MEMORY;
+  po_status status = collect(run, 0, 1, &s);
   if (!status)
-    status = po_recover(s.questions, s.count, folder, run->plan->solve_key, take, &s);
+    status = po_recover(s.questions, s.count, run->folder, run->plan->solve_key, take, &s);
   clear_share(&s);
-  free(folder);
   return status;
 }
 
@@ -223,12 +216,13 @@ bool po_run_solver_leads(const po_case_run *run, size_t point) {
 }
 
 /* Measures start and end of the program once a round. */
-static po_status measure_start(po_case_run *run, unsigned round, const char *folder,
+static po_status measure_start(po_case_run *run, unsigned round,
                                const volatile sig_atomic_t *stop) {
   po_ask_log log = {0};
   if (!isnan(run->starts[round].start_wall))
     return PO_OK;
-  const po_status status = po_ask(run->plan->solver, NULL, 0, folder, NULL, stop, NULL, NULL, &log);
+  const po_status status =
+      po_ask(run->plan->solver, NULL, 0, run->folder, NULL, stop, NULL, NULL, &log);
   if (!status && log.count) {
     run->starts[round].start_wall = log.processes[0].wall;
     run->starts[round].start_processor = log.processes[0].processor;
@@ -281,12 +275,12 @@ static void take_process(po_round *round, const po_ask_log *log) {
 
 /* Asks the question of a point in a process of its own, and stores the times; the first round gives
  * the result. Status: as po_ask. */
-static po_status ask(po_case_run *run, size_t point, unsigned round, const char *folder,
+static po_status ask(po_case_run *run, size_t point, unsigned round,
                      const volatile sig_atomic_t *stop) {
   const unsigned repeats = run->plan->kase->repeats;
   const size_t place = point * repeats + round;
   run->seconds[place] = run->processor_seconds[place] = NAN;
-  po_status status = measure_start(run, round, folder, stop);
+  po_status status = measure_start(run, round, stop);
   const po_question question = question_of(run, point);
   listener l = {.run = run,
                 .point = point,
@@ -295,8 +289,8 @@ static po_status ask(po_case_run *run, size_t point, unsigned round, const char 
                 .round = run->starts[round]};
   po_ask_log log = {0};
   if (!status)
-    status = po_ask(run->plan->solver, &question, 1, folder, run->plan->solve_key, stop, take_round,
-                    &l, &log);
+    status = po_ask(run->plan->solver, &question, 1, run->folder, run->plan->solve_key, stop,
+                    take_round, &l, &log);
   if (status == PO_INTERRUPTED && l.enough && !(stop && *stop))
     status = PO_OK;
   if (status) {
@@ -368,9 +362,7 @@ static po_status hand_over(po_case_run *run, size_t point, const po_job_desk *de
 po_status po_job_round(po_case_run *run, const po_job *job, const po_job_desk *desk) {
   if (run->done[job->point])
     return PO_OK;
-  char *folder = po_path_join(run->output, run->plan->kase->file->name);
-  po_status status = folder ? ask(run, job->point, job->round, folder, desk->stop) : PO_NO_MEMORY;
-  free(folder);
+  const po_status status = ask(run, job->point, job->round, desk->stop);
   if (status || !are_enough(run, job->point, job->round))
     return status;
   end(run, job->point, job->round);

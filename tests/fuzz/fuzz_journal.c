@@ -21,7 +21,7 @@ static void find_keys(void) {
     char *bytes = NULL;
     size_t size = 0;
     fuzz_empty(fuzz_path("keys/plain"));
-    fuzz_require(po_journal_add(run, i, fuzz_path("keys")) == PO_OK &&
+    fuzz_require(po_journal_add(run, i, fuzz_path("keys/plain")) == PO_OK &&
                      po_file_read(fuzz_path("keys/plain/points.jsonl"), &bytes, &size) == PO_OK,
                  "a point cannot be written: %s", po_message());
     json_t *entry = NULL;
@@ -43,9 +43,9 @@ static void write_parts(const fuzz_part *parts, size_t count) {
   free(journal.bytes);
 }
 
-static void require_same(const char *output, size_t point) {
+static void require_same(const char *folder, size_t point) {
   fuzz_run_reset(back);
-  fuzz_require(po_journal_read(back, output) == PO_OK, "a journal cannot be read: %s",
+  fuzz_require(po_journal_read(back, folder) == PO_OK, "a journal cannot be read: %s",
                po_message());
   fuzz_require(back->done[point], "point %zu was added to a journal and is not found in it", point);
   fuzz_require_same_point(run, back, point);
@@ -62,22 +62,22 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_empty(fuzz_path("run/plain"));
   write_parts(parts, count);
   fuzz_run_reset(run);
-  fuzz_require_message(po_journal_read(run, fuzz_path("run")));
+  fuzz_require_message(po_journal_read(run, fuzz_path("run/plain")));
   fuzz_empty(fuzz_path("back/plain"));
   for (size_t i = 0; i < POINTS; ++i) {
     if (!run->done[i])
       continue;
     /* A point that was read, written to a new journal, is read again as the same point. */
-    po_status status = po_journal_add(run, i, fuzz_path("back"));
+    po_status status = po_journal_add(run, i, fuzz_path("back/plain"));
     fuzz_require(!status, "a point that was read cannot be written: %s", po_message());
-    require_same(fuzz_path("back"), i);
+    require_same(fuzz_path("back/plain"), i);
   }
   /* A point that is added to the journal of the input is found in it, however that journal ends. */
   if (!run->done[0])
     run->results[0].status = PO_NOT_CONVERGED;
-  const po_status status = po_journal_add(run, 0, fuzz_path("run"));
+  const po_status status = po_journal_add(run, 0, fuzz_path("run/plain"));
   fuzz_require(!status, "a point cannot be added: %s", po_message());
-  require_same(fuzz_path("run"), 0);
+  require_same(fuzz_path("run/plain"), 0);
   free(parts[0].bytes);
   return 0;
 }

@@ -34,11 +34,13 @@ static void write_parts(const po_case_run *run, const char *folder, const fuzz_p
 
 /* A record that was read can be written, and reading it again gives the same results. */
 static void require_written(po_case_run *run, po_case_run *back) {
-  const char *output = fuzz_path("back");
+  char name[64];
+  snprintf(name, sizeof name, "back/%s", run->plan->kase->file->name);
+  const char *folder = fuzz_path(name);
   run->environment = strdup("{}");
-  po_status status = po_record_write(run, output, 1, NULL);
+  po_status status = po_record_write(run, folder, 1, NULL);
   fuzz_require(!status, "a record that was read cannot be written: %s", po_message());
-  status = po_record_read(back, output);
+  status = po_record_read(back, folder);
   fuzz_require(!status, "a record that was written cannot be read: %s", po_message());
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     fuzz_require_same_point(run, back, i);
@@ -86,7 +88,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_run_reset(runs[c]);
     fuzz_run_reset(backs[c]);
     po_message_clear();
-    const po_status status = po_record_read(runs[c], output);
+    const po_status status = po_record_read(runs[c], fuzz_path(folder));
     fuzz_require(status == PO_OK || status == PO_NOT_FOUND, "reading a record ends in %s",
                  po_status_name(status));
     if (status)

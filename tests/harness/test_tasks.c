@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "po_jobs.h"
-#include "po_times.h"
 #include "run.h"
 
 enum { RUNS = 4 };
