@@ -250,7 +250,6 @@ static po_status prepare_solver(po_session *session, size_t s) {
   po_case_run *runs = session->runs + s * count;
   char *folder = session->solvers[s] ? po_solver_folder(session->solvers[s], options->output)
                                      : po_copy_text(options->output);
-  session->folders[s] = folder;
   po_status status = folder ? PO_OK : PO_NO_MEMORY;
   for (size_t i = 0; !status && i < count; ++i) {
     status = po_case_run_place(&runs[i], folder);
@@ -260,6 +259,7 @@ static po_status prepare_solver(po_session *session, size_t s) {
   if (!status && session->shard.count)
     status =
         po_shard_write(runs, count, session->shard, session->time_limit, options->jobs, folder);
+  free(folder);
   return status;
 }
 
@@ -328,10 +328,8 @@ void po_session_clear(po_session *session) {
     if (session->runs[i].plan)
       po_case_run_clear(&session->runs[i]);
   free(session->runs);
-  for (size_t s = 0; s < session->solver_count; ++s) {
+  for (size_t s = 0; s < session->solver_count; ++s)
     po_solver_destroy(session->solvers[s]);
-    free(session->folders[s]);
-  }
   po_catalog_close(&session->catalog);
   *session = (po_session){0};
 }

@@ -24,7 +24,6 @@ typedef struct {
   size_t manifest_count;
   const char *knob;                    /* of --knob; NULL: not given */
   po_solver *solvers[PO_MOST_SOLVERS]; /* NULL: this program */
-  char *folders[PO_MOST_SOLVERS];      /* of the records of each */
   size_t solver_count;                 /* without --solver 1, this program */
   po_catalog catalog;
   po_case_run *runs; /* one a solver and case; those of a solver are neighbours */

@@ -102,6 +102,10 @@ po_status po_case_run_place(po_case_run *run, const char *output) {
   return run->folder ? PO_OK : PO_NO_MEMORY;
 }
 
+po_round *po_case_run_rounds(const po_case_run *run, size_t point) {
+  return run->rounds + point * run->plan->kase->repeats;
+}
+
 void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count) {
   run->asked_count = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {

@@ -76,6 +76,9 @@ po_status po_case_run_place(po_case_run *run, const char *output);
  */
 void po_case_run_exclude(po_case_run *run, size_t point, const char *why);
 
+/* Returned: the times of the rounds of a point; run->rounds is not NULL. */
+po_round *po_case_run_rounds(const po_case_run *run, size_t point);
+
 /* Requests only the existing points with numbers in these ranges. */
 void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count);
 

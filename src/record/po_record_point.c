@@ -37,16 +37,12 @@ static double *cell(po_round *round, size_t column) {
   return (double *)(void *)((char *)round + COLUMNS[column].place);
 }
 
-static po_round *rounds_of(const po_case_run *run, size_t point) {
-  return run->rounds + point * run->plan->kase->repeats;
-}
-
 /* What the times of a point say about the clock of the solver. "more": a process reported more time
  * than it took. "less": in every round it reported clearly less than it took beyond its start.
  * "none": it reports no times, or has no result. Otherwise "agrees". */
 static const char *clock_of(const po_case_run *run, size_t point) {
   const unsigned repeats = run->plan->kase->repeats;
-  const po_round *rounds = rounds_of(run, point);
+  const po_round *rounds = po_case_run_rounds(run, point);
   unsigned known = 0, less = 0;
   /* the process of a failed solve may do more than it reports */
   for (unsigned r = 0; !run->results[point].status && r < repeats; ++r) {
@@ -79,7 +75,7 @@ static json_t *timing_json(const po_case_run *run, size_t point) {
   for (size_t c = 0; c < COLUMN_COUNT; ++c) {
     json_t *array = po_json_empty_array();
     for (unsigned r = 0; r < run->plan->kase->repeats; ++r)
-      po_json_append(&array, po_json_number(*cell(&rounds_of(run, point)[r], c)));
+      po_json_append(&array, po_json_number(*cell(&po_case_run_rounds(run, point)[r], c)));
     po_json_set(&object, COLUMNS[c].name, array);
   }
   po_json_set(&object, "clock", po_json_text(clock_of(run, point)));
@@ -98,7 +94,7 @@ static po_status read_timing(po_case_run *run, size_t point, const json_t *timin
       return PO_NOT_FOUND;
     for (unsigned r = 0; r < repeats; ++r) {
       const json_t *value = json_array_get(array, r);
-      *cell(&rounds_of(run, point)[r], c) =
+      *cell(&po_case_run_rounds(run, point)[r], c) =
           json_is_number(value) ? json_number_value(value) : (double)NAN;
     }
   }

@@ -134,18 +134,18 @@ static po_reference_number number_of(const po_check *check, const po_result *tra
 }
 
 /* Compares the pull-off that parameter continuation found with that of the full trace, and adds one
- * result for each requested point that is traced in addition.
- * Given: `results` and `traces`, one each a point. Status: PO_NO_MEMORY. */
-static po_status compare_traced(const po_case *kase, const bool *asked, const po_check *check,
-                                const po_reference *reference, const po_result *results,
-                                const po_result *traces, po_check_results *check_results) {
+ * result for each requested point that is traced in addition. Status: PO_NO_MEMORY. */
+static po_status compare_traced(po_case_run *run, const po_check *check,
+                                const po_reference *reference) {
+  const po_case *kase = run->plan->kase;
   for (size_t i = 0; i < kase->point_count; ++i) {
-    const po_result *result = &results[i], *trace = &traces[i];
-    if (!asked[i] || !kase->points[i].traced || !po_check_concerns(check, &kase->points[i].request))
+    const po_result *result = &run->results[i], *trace = &run->traces[i];
+    if (!run->asked[i] || !kase->points[i].traced ||
+        !po_check_concerns(check, &kase->points[i].request))
       continue;
-    po_check_result *item =
-        po_check_results_add(check_results, kase, i, check, po_quantity_name(check->quantity), "",
-                             po_compare_obtained(check->quantity, result), number_of(check, trace));
+    po_check_result *item = po_check_results_add(
+        &run->check_results, kase, i, check, po_quantity_name(check->quantity), "",
+        po_compare_obtained(check->quantity, result), number_of(check, trace));
     if (!item)
       return PO_NO_MEMORY;
     item->ledger = reference->ledger;
@@ -175,8 +175,7 @@ po_status po_run_check(po_case_run *run, const volatile sig_atomic_t *stop) {
       continue;
     }
     if (po_check_is_traced(check)) {
-      status = compare_traced(kase, run->asked, check, &run->plan->references[c], run->results,
-                              run->traces, &run->check_results);
+      status = compare_traced(run, check, &run->plan->references[c]);
       continue;
     }
     for (size_t i = 0; !status && i < kase->point_count; ++i)

@@ -198,10 +198,6 @@ po_status po_run_solver_recover(po_case_run *run) {
  * case solver_times than with two solves of each scene. */
 static const double LONG_SOLVE = 5;
 
-static po_round *rounds_of(const po_case_run *run, size_t point) {
-  return run->rounds + point * run->plan->kase->repeats;
-}
-
 static bool is_open(const po_case_run *run, size_t point) {
   return run->asked[point] && !run->done[point];
 }
@@ -301,7 +297,7 @@ static po_status ask(po_case_run *run, size_t point, unsigned round,
   take_process(&l.round, &log);
   if (isnan(l.round.later)) /* it reports no time */
     l.round.later = fmax(l.round.wall - l.round.start_wall, 0) / solves;
-  rounds_of(run, point)[round] = l.round;
+  po_case_run_rounds(run, point)[round] = l.round;
   run->seconds[place] = l.round.later;
   run->processor_seconds[place] = fmax(l.round.processor - l.round.start_processor, 0) / solves;
   status = keep_log(run, &log);

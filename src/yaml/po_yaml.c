@@ -216,26 +216,15 @@ size_t po_yaml_line(const po_yaml *yaml, const char *path) {
   return line;
 }
 
-/* Returned: the scalar at `path` as it is written, or "a mapping" or "a list"; NULL if the value is
- * absent. */
-static const char *value_at(const po_yaml *yaml, const char *path) {
+po_status po_yaml_refuse(const po_yaml *yaml, const char *path, const char *expected) {
   size_t line = 1;
   const yaml_node_t *node = find(yaml, path, &line);
   if (!node)
-    return NULL;
-  if (node->type == YAML_MAPPING_NODE)
-    return "a mapping";
-  if (node->type == YAML_SEQUENCE_NODE)
-    return "a list";
-  return (const char *)node->data.scalar.value;
-}
-
-po_status po_yaml_refuse(const po_yaml *yaml, const char *path, const char *expected) {
-  const char *value = value_at(yaml, path);
-  const size_t line = po_yaml_line(yaml, path);
-  if (!value)
     return po_fail(PO_BAD_INPUT, "%s:%zu: %s is missing: expected %s", yaml->name, line, path,
                    expected);
+  const char *value = node->type == YAML_MAPPING_NODE    ? "a mapping"
+                      : node->type == YAML_SEQUENCE_NODE ? "a list"
+                                                         : (const char *)node->data.scalar.value;
   char shown[PO_QUOTE_LENGTH];
   return po_suggest(po_fail(PO_BAD_INPUT, "%s:%zu: %s is %s: expected %s", yaml->name, line, path,
                             po_quote(value, shown), expected),
