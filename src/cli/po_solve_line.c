@@ -6,7 +6,6 @@
 
 #include "po_live.h"
 #include "po_observe.h"
-#include "po_plot_scene.h"
 
 po_solve_line po_solve_line_begin(void) {
   return (po_solve_line){.request = po_input_default(), .scene = po_scene_options_begin()};
@@ -18,40 +17,20 @@ static bool names_file(const char *text) {
   return !*text || strcspn(text, "./") < strcspn(text, ":");
 }
 
-po_status po_solve_line_take(void *to, int option) {
+po_status po_solve_line_take_key(void *to, int option) {
   po_solve_line *line = to;
-  const bool old = option == PO_OPTION_KEYS + PO_KEY_PROFILE && names_file(optarg);
-  if (old)
-    option = PO_LINE_PROFILE;
-  switch (option) {
-  case PO_LINE_WANT:
-    return po_want_read(optarg, &line->request.want)
-               ? PO_OK
-               : po_options_refuse("want", optarg, PO_WANT_EXPECTED);
-  case PO_LINE_CURVE:
-    line->request.want |= PO_WANT_CURVE;
-    return po_options_take_text("curve", "the name of a file", &line->curve);
-  case PO_LINE_PROFILE:
-    line->request.want |= PO_WANT_PROFILE;
-    return po_options_take_text(old ? "profile" : "profile-csv", "the name of a file",
-                                &line->profile);
-  case PO_LINE_STAIRCASE:
-    line->request.want |= PO_WANT_PRELOAD;
-    return po_options_take_text("staircase", "the name of a file", &line->staircase);
-  case PO_LINE_SMOOTHED:
-    return po_options_take_text("smoothed", "the name of a file", &line->smoothed);
-  case PO_LINE_PLOT:
-    return po_plot_take_file(optarg, &line->plot);
-  case PO_LINE_RUN:
-    return po_options_take_text("run", "the name of a folder", &line->run);
-  case PO_LINE_THEORY:
-    return po_options_take_text("theory", "the name of a theory", &line->theory);
-  case PO_LINE_JSON:
-    line->json = true;
-    return PO_OK;
-  default:
-    return po_scene_options_take(&line->scene, option);
-  }
+  if (option == PO_OPTION_KEYS + PO_KEY_PROFILE && names_file(optarg))
+    return po_options_take_text("profile", "the name of a file", &line->profile);
+  return po_scene_options_take(&line->scene, option);
+}
+
+po_status po_solve_line_take_want(const char *name, void *want) {
+  return po_want_read(optarg, want) ? PO_OK : po_options_refuse(name, optarg, PO_WANT_EXPECTED);
+}
+
+void po_solve_line_add_wants(po_solve_line *line) {
+  line->request.want |= (line->curve ? PO_WANT_CURVE : 0) | (line->profile ? PO_WANT_PROFILE : 0) |
+                        (line->staircase ? PO_WANT_PRELOAD : 0);
 }
 
 static bool is_output(const char *file) {
@@ -66,6 +45,7 @@ int po_solve_line_tables(const po_solve_line *line) {
 po_status po_solve_line_end(po_solve_line *line) {
   po_request *request = &line->request;
   po_given *given = &line->scene.given;
+  po_solve_line_add_wants(line);
   po_status status = po_given_read(given, request);
   if (!status)
     status = po_given_check_waves(given);

@@ -3,40 +3,14 @@
 #define PO_SOLVE_LINE_H
 
 #include "po_options.h"
+#include "po_plot_scene.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_scene_options.h"
 
-/* The options beside those of keys. */
-enum {
-  PO_LINE_WANT = PO_OPTION_NEXT,
-  PO_LINE_CURVE,
-  PO_LINE_PROFILE,
-  PO_LINE_STAIRCASE,
-  PO_LINE_SMOOTHED,
-  PO_LINE_PLOT,
-  PO_LINE_RUN,
-  PO_LINE_THEORY,
-  PO_LINE_JSON
-};
-
-/* Rows of the options of solve and plot beside those of keys, and the end of the table. */
-#define PO_SOLVE_LINE_OPTIONS                                                                      \
-  {"want", required_argument, NULL, PO_LINE_WANT},                                                 \
-      {"profile-approach", required_argument, NULL, PO_OPTION_KEYS + PO_KEY_PROFILE_APPROACH},     \
-      {"profile-approach-m", required_argument, NULL, PO_OPTION_KEYS + PO_KEY_PROFILE_APPROACH_M}, \
-      {"curve", required_argument, NULL, PO_LINE_CURVE},                                           \
-      {"profile-csv", required_argument, NULL, PO_LINE_PROFILE},                                   \
-      {"staircase", required_argument, NULL, PO_LINE_STAIRCASE},                                   \
-      {"smoothed", required_argument, NULL, PO_LINE_SMOOTHED},                                     \
-      {"plot", required_argument, NULL, PO_LINE_PLOT}, {"json", no_argument, NULL, PO_LINE_JSON},  \
-      {"help", no_argument, NULL, PO_OPTION_HELP}, {                                               \
-    NULL, 0, NULL, 0                                                                               \
-  }
-
 typedef struct {
-  po_request request;
   po_scene_options scene;
+  po_request request;
   const char *curve, *profile, *staircase; /* files; NULL: none */
   const char *smoothed;                    /* file of the smoothed profile; NULL: none */
   const char *plot, *run;                  /* figure, and folder of records; NULL: none */
@@ -44,10 +18,27 @@ typedef struct {
   bool json, warned; /* the latter: whether _end need not warn of lengths that look like metres */
 } po_solve_line;
 
+// clang-format off
+/* Rows of the options of solve and plot, and those that compare has, too. */
+#define PO_SOLVE_LINE_OUTPUT PO_TAKEN("plot", po_solve_line, plot, po_plot_take_file), PO_FLAG("json", po_solve_line, json)
+#define PO_SOLVE_LINE_OPTIONS \
+  PO_TAKEN("want", po_solve_line, request.want, po_solve_line_take_want), \
+  PO_TEXT("profile-approach", po_solve_line, scene.given.text[PO_KEY_PROFILE_APPROACH], "a finite number"), \
+  PO_TEXT("profile-approach-m", po_solve_line, scene.given.text[PO_KEY_PROFILE_APPROACH_M], "a finite number"), \
+  PO_TEXT("curve", po_solve_line, curve, "the name of a file"), \
+  PO_TEXT("profile-csv", po_solve_line, profile, "the name of a file"), \
+  PO_TEXT("staircase", po_solve_line, staircase, "the name of a file"), \
+  PO_TEXT("smoothed", po_solve_line, smoothed, "the name of a file"), PO_SOLVE_LINE_OUTPUT
+// clang-format on
+
 po_solve_line po_solve_line_begin(void);
 
-/* Takes one option of the command line (po_option_taker). */
-po_status po_solve_line_take(void *line, int option);
+/* Take --want (po_option_taker), and an option of the scene (po_options.take_key). */
+po_status po_solve_line_take_want(const char *name, void *want);
+po_status po_solve_line_take_key(void *line, int option);
+
+/* Adds the results that the files need to those that are wanted. */
+void po_solve_line_add_wants(po_solve_line *line);
 
 /* Completes the request and checks it. */
 po_status po_solve_line_end(po_solve_line *line);

@@ -25,12 +25,13 @@ static const char HELP[] =
     "\n"
     "Example: pulloff bless smoke --reason \"Newton stops two digits later\"\n";
 
-enum { REASON = PO_SESSION_NEXT };
+typedef struct {
+  po_session session;
+  const char *reason; /* NULL: not given */
+} bless_line;
 
-static const struct option OPTIONS[] = {PO_SESSION_CASE_OPTIONS,
-                                        {"suite", required_argument, NULL, PO_SESSION_SUITE},
-                                        {"reason", required_argument, NULL, REASON},
-                                        {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {
+    PO_SESSION_CASE_OPTIONS, PO_SESSION_SUITE, PO_TEXT("reason", bless_line, reason, NULL), {0}};
 
 /* The author of the pins: user.name of git, or else the name of the account. */
 static po_status find_who(char who[128]) {
@@ -65,19 +66,6 @@ static po_status bless(const po_session *session, const char *reason) {
   return status;
 }
 
-typedef struct {
-  po_session session;
-  const char *reason; /* NULL: not given */
-} bless_line;
-
-static po_status take_option(void *to, int option) {
-  bless_line *line = to;
-  if (option != REASON)
-    return po_session_option(&line->session, option);
-  line->reason = optarg;
-  return PO_OK;
-}
-
 static po_status open_several(po_session *session, const po_options *options) {
   if (optind == options->argc && !session->suites)
     return po_fail(PO_BAD_INPUT, "bless needs the name of a case (see pulloff bless --help)");
@@ -89,7 +77,7 @@ int po_verb_bless(int argc, char **argv) {
   bless_line line = {.session = po_session_default()};
   po_session *session = &line.session;
   po_status status = PO_OK;
-  if (!po_options_read(&options, take_option, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   if (!line.reason)
     status = po_fail(PO_BAD_INPUT, "bless needs --reason TEXT (see pulloff bless --help)");

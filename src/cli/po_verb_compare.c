@@ -47,11 +47,8 @@ static const char MORE_HELP[] =
     "Example: pulloff compare --from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 \\\n"
     "             --distance-m 3e-10 --radius-m 3e-8\n";
 
-static const struct option OPTIONS[] = {{"theory", required_argument, NULL, PO_LINE_THEORY},
-                                        {"plot", required_argument, NULL, PO_LINE_PLOT},
-                                        {"json", no_argument, NULL, PO_LINE_JSON},
-                                        {"help", no_argument, NULL, PO_OPTION_HELP},
-                                        {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {
+    PO_TEXT("theory", po_solve_line, theory, "the name of a theory"), PO_SOLVE_LINE_OUTPUT, {0}};
 
 /* Refuses a theory that cannot be evaluated for the scene. */
 static po_status check_row(const po_result *result, const po_theory *only) {
@@ -95,10 +92,11 @@ static int compare(po_solve_line *line, const po_theory *only) {
 }
 
 int po_verb_compare(int argc, char **argv) {
-  const po_options options = {"compare", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_SOLVE};
+  const po_options options = {"compare", HELP,      OPTIONS,      argc,
+                              argv,      MORE_HELP, PO_FOR_SOLVE, po_solve_line_take_key};
   po_solve_line line = po_solve_line_begin();
   po_status status = PO_OK;
-  if (!po_options_read(&options, po_solve_line_take, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   po_theory theory = PO_THEORY_RIGID;
   char shown[PO_QUOTE_LENGTH];

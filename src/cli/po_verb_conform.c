@@ -27,23 +27,13 @@ static const char HELP[] =
     "\n"
     "Example: pulloff conform reference/solvers/newton.yaml\n";
 
-enum { KNOB = 1, OUTPUT };
-
-static const struct option OPTIONS[] = {{"knob", required_argument, NULL, KNOB},
-                                        {"output", required_argument, NULL, OUTPUT},
-                                        {"help", no_argument, NULL, PO_OPTION_HELP},
-                                        {NULL, 0, NULL, 0}};
-
 typedef struct {
   const char *knob, *output;
 } conform_line;
 
-static po_status take_option(void *to, int option) {
-  conform_line *line = to;
-  if (option == KNOB)
-    return po_options_take_text("knob", "a value of the knob", &line->knob);
-  return po_options_take_text("output", "the name of a folder", &line->output);
-}
+static const po_option OPTIONS[] = {PO_TEXT("knob", conform_line, knob, "a value of the knob"),
+                                    PO_TEXT("output", conform_line, output, "the name of a folder"),
+                                    {0}};
 
 /* Returned: the length of the part of a path that exists. */
 static size_t existing_part(const char *path) {
@@ -67,7 +57,7 @@ int po_verb_conform(int argc, char **argv) {
   conform_line line = {.output = "build/run"};
   po_solver *solver = NULL;
   po_status status = PO_OK;
-  if (!po_options_read(&options, take_option, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   if (argc - optind != 1)
     status = po_fail(PO_BAD_INPUT, "conform needs one manifest (see pulloff conform --help)");

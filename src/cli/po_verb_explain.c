@@ -25,13 +25,17 @@ static const char HELP[] =
     "\n"
     "Example: pulloff explain fig03 --point tabor=1 --all\n";
 
-enum { POINT = PO_SESSION_NEXT, ALL, JSON };
+typedef struct {
+  po_session session;
+  const char *point; /* NULL: all */
+  bool all, json;
+} explain_line;
 
-static const struct option OPTIONS[] = {PO_SESSION_CASE_OPTIONS,
-                                        {"point", required_argument, NULL, POINT},
-                                        {"all", no_argument, NULL, ALL},
-                                        {"json", no_argument, NULL, JSON},
-                                        {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {PO_SESSION_CASE_OPTIONS,
+                                    PO_TEXT("point", explain_line, point, NULL),
+                                    PO_FLAG("all", explain_line, all),
+                                    PO_FLAG("json", explain_line, json),
+                                    {0}};
 
 /* The points that --point selects. Status: PO_BAD_INPUT if it selects none. */
 static po_status choose(const po_case *kase, const char *text, bool **points) {
@@ -78,32 +82,13 @@ static int code_of(const po_case_run *run, const po_explain_choice *choice) {
   return code;
 }
 
-typedef struct {
-  po_session session;
-  const char *point; /* NULL: all */
-  bool all, json;
-} explain_line;
-
-static po_status take_option(void *to, int option) {
-  explain_line *line = to;
-  if (option == POINT)
-    line->point = optarg;
-  else if (option == ALL)
-    line->all = true;
-  else if (option == JSON)
-    line->json = true;
-  else
-    return po_session_option(&line->session, option);
-  return PO_OK;
-}
-
 int po_verb_explain(int argc, char **argv) {
   const po_options options = {"explain", HELP, OPTIONS, argc, argv, NULL};
   explain_line line = {.session = po_session_default()};
   po_session *session = &line.session;
   bool *points = NULL;
   po_status status = PO_OK;
-  if (!po_options_read(&options, take_option, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   status = po_session_open_one(session, &options);
   if (!status)

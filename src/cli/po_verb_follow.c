@@ -24,7 +24,8 @@ static const char HELP[] =
     "halfway between them is traced, too. The discretisation is always panel. Lengths are in\n"
     "units of the equilibrium distance epsilon, loads in pi w R (w: work of adhesion), or in\n"
     "pi w epsilon for a profile without a radius. The approach is positive when the bodies are\n"
-    "pressed together, the load when it is compressive. The minimum of the load that is followed is\n"
+    "pressed together, the load when it is compressive. The minimum of the load that is followed "
+    "is\n"
     "the same through every spring: --stiffness and --stiffness-n-per-m are refused.\n"
     "\n"
     "Series:\n"
@@ -67,24 +68,7 @@ static const char MORE_HELP[] =
     "Example: pulloff follow --from-physical --key radius-m --from 1e-7 --to 1e-6 --points 10 \\\n"
     "             --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10\n";
 
-enum { VARIED = PO_OPTION_NEXT, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, CURVE, PLOT, JSON, STIFFNESS };
 enum { DEFAULT_POINTS = 60 };
-
-/* Beside the options of keys. */
-static const struct option OPTIONS[] = {{"key", required_argument, NULL, VARIED},
-                                        {"from", required_argument, NULL, FROM},
-                                        {"to", required_argument, NULL, TO},
-                                        {"points", required_argument, NULL, POINTS},
-                                        {"scale", required_argument, NULL, SCALE},
-                                        {"of", required_argument, NULL, OF},
-                                        {"checkpoint-every", required_argument, NULL, CHECKPOINTS},
-                                        {"curve", required_argument, NULL, CURVE},
-                                        {"plot", required_argument, NULL, PLOT},
-                                        {"stiffness", required_argument, NULL, STIFFNESS},
-                                        {"stiffness-n-per-m", required_argument, NULL, STIFFNESS},
-                                        {"json", no_argument, NULL, JSON},
-                                        {"help", no_argument, NULL, PO_OPTION_HELP},
-                                        {NULL, 0, NULL, 0}};
 
 typedef struct {
   po_scene_options scene;
@@ -95,71 +79,75 @@ typedef struct {
   bool folds, json;
 } follow_line;
 
-static po_status take_varied(follow_line *line) {
+static po_status take_varied(const char *name, void *varied) {
   char flag[PO_FLAG_LENGTH_OF_NAME];
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     po_key_flag(key, flag);
     if (!po_key_is_continuous(key) || !(po_key_row_of(key)->verbs & PO_FOR_FOLLOW) ||
         strcmp(flag, optarg) != 0)
       continue;
-    line->varied = key;
+    *(int *)varied = key;
     return PO_OK;
   }
   po_text names = {0};
   po_options_add_varying(&names);
-  const po_status status = po_options_refuse("key", optarg, po_text_string(&names));
+  const po_status status = po_options_refuse(name, optarg, po_text_string(&names));
   po_text_clear(&names);
   return status;
 }
 
-static po_status take_count(const char *option, size_t least, size_t *count) {
+static po_status take_count(const char *name, size_t least, size_t *count) {
   if (po_number_parse_count(optarg, count) && *count >= least && *count <= PO_MOST_VALUES)
     return PO_OK;
   char expected[64];
   snprintf(expected, sizeof expected, "a whole number from %zu to %zu", least,
            (size_t)PO_MOST_VALUES);
-  return po_options_refuse(option, optarg, expected);
+  return po_options_refuse(name, optarg, expected);
 }
 
-static po_status take_option(void *to, int option) {
-  follow_line *line = to;
-  switch (option) {
-  case VARIED:
-    return take_varied(line);
-  case FROM:
-  case TO:
-    if (po_number_parse(optarg, option == FROM ? &line->range.from : &line->range.to))
-      return PO_OK;
-    return po_options_refuse(option == FROM ? "from" : "to", optarg, "a finite number");
-  case POINTS:
-    return take_count("points", 2, &line->range.count);
-  case CHECKPOINTS:
-    return take_count("checkpoint-every", 1, &line->checkpoints);
-  case SCALE:
-    if (po_range_read_scale(optarg, &line->range.log))
-      return PO_OK;
-    return po_options_refuse("scale", optarg, "log or linear");
-  case OF:
-    line->folds = strcmp(optarg, "folds") == 0;
-    if (line->folds || strcmp(optarg, "pull-off") == 0)
-      return PO_OK;
-    return po_options_refuse("of", optarg, "pull-off or folds");
-  case CURVE:
-    return po_options_take_text("curve", "the name of a file", &line->curve);
-  case STIFFNESS:
-    return po_fail(PO_BAD_INPUT,
-                   "a stiffness has no effect on follow: the minimum of the load that is followed is "
-                   "the same through every spring, and a spring decides only which preload leads to "
-                   "it; expected pulloff solve --want preload with the stiffness");
-  case PLOT:
-    return po_plot_take_file(optarg, &line->plot);
-  case JSON:
-    line->json = true;
-    return PO_OK;
-  default:
-    return po_scene_options_take(&line->scene, option);
-  }
+static po_status take_points(const char *name, void *count) {
+  return take_count(name, 2, count);
 }
+
+static po_status take_checkpoints(const char *name, void *count) {
+  return take_count(name, 1, count);
+}
+
+static po_status take_scale(const char *name, void *log) {
+  return po_range_read_scale(optarg, log) ? PO_OK
+                                          : po_options_refuse(name, optarg, "log or linear");
+}
+
+static po_status take_followed(const char *name, void *folds) {
+  *(bool *)folds = strcmp(optarg, "folds") == 0;
+  return *(bool *)folds || strcmp(optarg, "pull-off") == 0
+             ? PO_OK
+             : po_options_refuse(name, optarg, "pull-off or folds");
+}
+
+static po_status refuse_stiffness(const char *name, void *line) {
+  (void)name, (void)line;
+  return po_fail(PO_BAD_INPUT,
+                 "a stiffness has no effect on follow: the minimum of the load that is followed is "
+                 "the same through every spring, and a spring decides only which preload leads to "
+                 "it; expected pulloff solve --want preload with the stiffness");
+}
+
+/* Beside the options of keys. */
+static const po_option OPTIONS[] = {
+    PO_TAKEN("key", follow_line, varied, take_varied),
+    PO_NUMBER("from", follow_line, range.from, -INFINITY, "a finite number"),
+    PO_NUMBER("to", follow_line, range.to, -INFINITY, "a finite number"),
+    PO_TAKEN("points", follow_line, range.count, take_points),
+    PO_TAKEN("scale", follow_line, range.log, take_scale),
+    PO_TAKEN("of", follow_line, folds, take_followed),
+    PO_TAKEN("checkpoint-every", follow_line, checkpoints, take_checkpoints),
+    PO_TEXT("curve", follow_line, curve, "the name of a file"),
+    PO_TAKEN("plot", follow_line, plot, po_plot_take_file),
+    PO_TAKEN("stiffness", follow_line, scene, refuse_stiffness),
+    PO_TAKEN("stiffness-n-per-m", follow_line, scene, refuse_stiffness),
+    PO_FLAG("json", follow_line, json),
+    {0}};
 
 static po_status check_line(const follow_line *line) {
   const po_range *range = &line->range;
@@ -276,11 +264,12 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
 }
 
 int po_verb_follow(int argc, char **argv) {
-  const po_options options = {"follow", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_FOLLOW};
+  const po_options options = {"follow", HELP,      OPTIONS,       argc,
+                              argv,     MORE_HELP, PO_FOR_FOLLOW, po_scene_options_take};
   follow_line line = {
       .scene = po_scene_options_begin(), .varied = -1, .range = {NAN, NAN, DEFAULT_POINTS, true}};
   po_status status = PO_OK;
-  if (!po_options_read(&options, take_option, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   status = po_options_no_operands(&options);
   if (!status)

@@ -21,13 +21,15 @@ static const char HELP[] =
     "\n"
     "Example: pulloff list --suite paper\n";
 
-enum { SUITE = 1, REFERENCES, JSON };
+typedef struct {
+  const char *suites; /* NULL: all */
+  bool json, references;
+} list_line;
 
-static const struct option OPTIONS[] = {{"suite", required_argument, NULL, SUITE},
-                                        {"references", no_argument, NULL, REFERENCES},
-                                        {"json", no_argument, NULL, JSON},
-                                        {"help", no_argument, NULL, PO_OPTION_HELP},
-                                        {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {PO_TEXT("suite", list_line, suites, "names of suites"),
+                                    PO_FLAG("references", list_line, references),
+                                    PO_FLAG("json", list_line, json),
+                                    {0}};
 
 /* Whether a check of the case has the table as its reference. */
 static bool uses(const po_case *kase, const char *name) {
@@ -138,28 +140,12 @@ static po_status print_json(const po_catalog *catalog) {
       PO_JSON_OBJECT({"schema", po_json_text("pulloff-list/1")}, {"cases", cases}));
 }
 
-typedef struct {
-  const char *suites; /* NULL: all */
-  bool json, references;
-} list_line;
-
-static po_status take_option(void *to, int option) {
-  list_line *line = to;
-  if (option == JSON)
-    line->json = true;
-  else if (option == REFERENCES)
-    line->references = true;
-  else
-    return po_options_take_text("suite", "names of suites", &line->suites);
-  return PO_OK;
-}
-
 int po_verb_list(int argc, char **argv) {
   const po_options options = {"list", HELP, OPTIONS, argc, argv, NULL};
   po_catalog catalog = {0};
   list_line line = {0};
   po_status status = PO_OK;
-  if (!po_options_read(&options, take_option, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   status = po_options_no_operands(&options);
   if (!status)

@@ -20,10 +20,7 @@ static const char HELP[] =
     "\n"
     "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";
 
-static const struct option OPTIONS[] = {PO_SESSION_SOLVER_OPTIONS,
-                                        {"output", required_argument, NULL, PO_SESSION_OUTPUT},
-                                        {"help", no_argument, NULL, PO_OPTION_HELP},
-                                        {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {PO_SESSION_SOLVER_OPTIONS, {0}};
 
 static po_status put_together(po_session *session, const po_merge *merge) {
   char **names = NULL;
@@ -47,7 +44,7 @@ int po_verb_merge(int argc, char **argv) {
   po_session session = po_session_default();
   po_merge merge = {0};
   po_status status = PO_OK;
-  if (!po_options_read(&options, po_session_option, &session, &status))
+  if (!po_options_read(&options, &session, &status))
     return po_options_end(status);
   if (session.manifest_count > 1)
     status = po_fail(PO_BAD_INPUT, "merge takes one solver: expected --solver once");

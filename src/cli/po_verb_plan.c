@@ -28,11 +28,7 @@ static const char HELP[] =
     "\n"
     "Example: pulloff plan fig03\n";
 
-enum { JSON = 1 };
-
-static const struct option OPTIONS[] = {{"json", no_argument, NULL, JSON},
-                                        {"help", no_argument, NULL, PO_OPTION_HELP},
-                                        {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {{.name = "json", .kind = PO_OPTION_IS_FLAG}, {0}};
 
 /* The most that the points of a case need. */
 typedef struct {
@@ -149,19 +145,13 @@ static po_status append_plan(const po_case *kase, json_t **plans) {
   return PO_OK;
 }
 
-static po_status take_option(void *json, int option) {
-  (void)option;
-  *(bool *)json = true;
-  return PO_OK;
-}
-
 int po_verb_plan(int argc, char **argv) {
   const po_options options = {"plan", HELP, OPTIONS, argc, argv, NULL};
   po_catalog catalog = {0};
   po_status status = PO_OK;
   bool json = false;
   json_t *plans = NULL;
-  if (!po_options_read(&options, take_option, &json, &status))
+  if (!po_options_read(&options, &json, &status))
     return po_options_end(status);
   if (optind == argc)
     status = po_fail(PO_BAD_INPUT, "plan needs the name of a case (see pulloff plan --help)");

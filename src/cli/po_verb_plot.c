@@ -32,8 +32,8 @@ static const char PLOT_HELP[] =
     "         pulloff plot fig15\n";
 
 /* Beside the options of keys. */
-static const struct option OPTIONS[] = {{"run", required_argument, NULL, PO_LINE_RUN},
-                                        PO_SOLVE_LINE_OPTIONS};
+static const po_option OPTIONS[] = {
+    PO_TEXT("run", po_solve_line, run, "the name of a folder"), PO_SOLVE_LINE_OPTIONS, {0}};
 
 /* Takes the operands of plot: a case, a figure, or both in this order. */
 static po_status take_operands(po_solve_line *line, const po_options *options, char **name) {
@@ -70,11 +70,12 @@ static bool seeks_all(const po_given *given) {
 }
 
 int po_verb_plot(int argc, char **argv) {
-  const po_options options = {"plot", PLOT_HELP, OPTIONS, argc, argv, NULL, PO_FOR_SOLVE};
+  const po_options options = {"plot", PLOT_HELP, OPTIONS,      argc,
+                              argv,   NULL,      PO_FOR_SOLVE, po_solve_line_take_key};
   po_solve_line line = po_solve_line_begin();
   char *name = NULL;
   po_status status = PO_OK;
-  if (!po_options_read(&options, po_solve_line_take, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   const bool scene = optind > (line.run ? 3 : 1); /* options other than --run DIR */
   status = take_operands(&line, &options, &name);
@@ -84,6 +85,7 @@ int po_verb_plot(int argc, char **argv) {
                               "left out");
   if (!status && name)
     return po_options_end(po_plot_case(name, line.run, line.plot));
+  po_solve_line_add_wants(&line);
   if (!(line.request.want & PO_PLOT_WANTS))
     line.request.want |=
         seeks_all(&line.scene.given) ? PO_WANT_CURVE : PO_WANT_CURVE | PO_WANT_HYSTERESIS;

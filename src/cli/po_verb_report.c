@@ -21,13 +21,15 @@ static const char HELP[] =
     "\n"
     "Example: pulloff report --run build/run --output build/report\n";
 
-enum { RUN = 1, OUTPUT, FRESH };
+typedef struct {
+  const char *run, *output;
+  bool fresh;
+} report_line;
 
-static const struct option OPTIONS[] = {{"run", required_argument, NULL, RUN},
-                                        {"output", required_argument, NULL, OUTPUT},
-                                        {"fresh", no_argument, NULL, FRESH},
-                                        {"help", no_argument, NULL, PO_OPTION_HELP},
-                                        {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {PO_TEXT("run", report_line, run, "the name of a folder"),
+                                    PO_TEXT("output", report_line, output, "the name of a folder"),
+                                    PO_FLAG("fresh", report_line, fresh),
+                                    {0}};
 
 /* Whether a program can be started, by its path or from a folder in PATH. */
 static bool is_program(const char *name) {
@@ -67,11 +69,6 @@ static po_status check_means(const char *script, const char *run) {
   return PO_OK;
 }
 
-typedef struct {
-  const char *run, *output;
-  bool fresh;
-} report_line;
-
 /* Runs the script and waits for it. Its messages go to our standard error. Returned: its exit code.
  */
 static int run_script(const char *script, const report_line *line) {
@@ -96,21 +93,11 @@ static int run_script(const char *script, const report_line *line) {
   return WEXITSTATUS(ending);
 }
 
-static po_status take_option(void *to, int option) {
-  report_line *line = to;
-  if (option == RUN)
-    return po_options_take_text("run", "the name of a folder", &line->run);
-  if (option == OUTPUT)
-    return po_options_take_text("output", "the name of a folder", &line->output);
-  line->fresh = true;
-  return PO_OK;
-}
-
 int po_verb_report(int argc, char **argv) {
   const po_options options = {"report", HELP, OPTIONS, argc, argv, NULL};
   report_line line = {.run = "build/run", .output = "build/report"};
   po_status status = PO_OK;
-  if (!po_options_read(&options, take_option, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   status = po_options_no_operands(&options);
   char *script = po_path_join(po_environment_data(), "reports/make_report.py");

@@ -23,14 +23,14 @@ static const char HELP[] =
     "Example: pulloff run fig03 --jobs 2\n"
     "         pulloff run --suite paper --shard 1/4 --output shards/1\n";
 
-static const struct option OPTIONS[] = {
-    PO_SESSION_OPTIONS, {"shard", required_argument, NULL, PO_SESSION_SHARD}, {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {
+    PO_SESSION_OPTIONS, PO_TAKEN("shard", po_session, shard, po_session_take_shard), {0}};
 
 int po_verb_run(int argc, char **argv) {
   const po_options options = {"run", HELP, OPTIONS, argc, argv, NULL};
   po_session session = po_session_default();
   po_status status = PO_OK;
-  if (!po_options_read(&options, po_session_option, &session, &status))
+  if (!po_options_read(&options, &session, &status))
     return po_options_end(status);
   status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
   return po_session_end(&session, status);

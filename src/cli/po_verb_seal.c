@@ -34,29 +34,21 @@ static const char HELP[] =
     "Example: pulloff seal --what 'pull-off of my tip' --source 'Smith 2024, Fig. 3' \\\n"
     "           --kind published --method digitised --units 'pi w R' --uncertainty 0.01 tip.csv\n";
 
-/* The values are those of NAMES, counted from 1. */
-static const struct option OPTIONS[] = {{"what", required_argument, NULL, 1},
-                                        {"source", required_argument, NULL, 2},
-                                        {"kind", required_argument, NULL, 3},
-                                        {"method", required_argument, NULL, 4},
-                                        {"units", required_argument, NULL, 5},
-                                        {"uncertainty", required_argument, NULL, 6},
-                                        {"date", required_argument, NULL, 7},
-                                        {"generator", required_argument, NULL, 8},
-                                        {"command", required_argument, NULL, 9},
-                                        {"help", no_argument, NULL, PO_OPTION_HELP},
-                                        {NULL, 0, NULL, 0}};
-
 /* The headers that a reference table must have, except the checksum. */
 enum { DATE = 6, GENERATOR, COMMAND, HEADERS };
 
-static const char *const NAMES[HEADERS] = {"what",        "source", "kind",      "method", "units",
-                                           "uncertainty", "date",   "generator", "command"};
-
-static po_status take_option(void *to, int option) {
-  const char **values = to;
-  return po_options_take_text(NAMES[option - 1], "a text", &values[option - 1]);
-}
+/* The line is an array of the values of the headers, in the order of these rows. */
+#define HEADER(header, number)                                                                     \
+  {                                                                                                \
+    .name = header, .kind = PO_OPTION_IS_TEXT, .place = (number) * sizeof(char *),                 \
+    .expected = "a text"                                                                           \
+  }
+static const po_option OPTIONS[HEADERS + 1] = {
+    HEADER("what", 0),         HEADER("source", 1),
+    HEADER("kind", 2),         HEADER("method", 3),
+    HEADER("units", 4),        HEADER("uncertainty", 5),
+    HEADER("date", DATE),      HEADER("generator", GENERATOR),
+    HEADER("command", COMMAND)};
 
 /* Returned: the length of the key of a header line `# key: value`; 0 if the line is no header. */
 static size_t key_of(const char *line, const char **key) {
@@ -69,7 +61,7 @@ static size_t key_of(const char *line, const char **key) {
 
 static int find_name(const char *key, size_t length) {
   for (int i = 0; i < HEADERS; ++i)
-    if (strlen(NAMES[i]) == length && strncmp(NAMES[i], key, length) == 0)
+    if (strlen(OPTIONS[i].name) == length && strncmp(OPTIONS[i].name, key, length) == 0)
       return i;
   return -1;
 }
@@ -114,7 +106,7 @@ static po_status refuse_missing(const char *path, const char *const values[HEADE
   size_t count = 0;
   for (int i = 0; i < DATE; ++i)
     if (!values[i] && !had[i])
-      po_text_add(&missing, "%s--%s", count++ ? ", " : "", NAMES[i]);
+      po_text_add(&missing, "%s--%s", count++ ? ", " : "", OPTIONS[i].name);
   const po_status status =
       count ? po_fail(PO_BAD_INPUT, "%s lacks %zu headers: expected the option%s %s", path, count,
                       count == 1 ? "" : "s", po_text_string(&missing))
@@ -130,7 +122,7 @@ static void add_headers(const char *path, const char *const values[HEADERS],
   for (int i = 0; i < HEADERS; ++i) {
     if (had[i])
       continue;
-    po_text_add(header, "# %s: ", NAMES[i]);
+    po_text_add(header, "# %s: ", OPTIONS[i].name);
     if (values[i])
       po_text_add(header, "%s", values[i]);
     else if (i == COMMAND) {
@@ -159,7 +151,7 @@ static po_status replace(const char *path, const po_text *text) {
 }
 
 /* Writes the table back with complete headers and its checksum. A byte order mark and the line ends
- * of other systems are removed. Given: `values`, for each header of NAMES its text, or
+ * of other systems are removed. Given: `values`, for each header its text, or
  * NULL; a header that the file has is replaced if a text is given. generator, command and date have
  * defaults. Status: PO_BAD_INPUT if headers are missing, all of which the message names;
  * PO_CANNOT_READ (the file, or what makes it no table, with its line); PO_CANNOT_WRITE; the file is
@@ -172,7 +164,8 @@ static po_status seal(const char *path, const char *const values[HEADERS]) {
   for (int i = 0; i < HEADERS; ++i)
     if (values[i] && (strchr(values[i], '\n') || po_quote_find(values[i], strlen(values[i]))))
       return po_fail(PO_BAD_INPUT,
-                     "--%s has several lines or a control character: expected one line", NAMES[i]);
+                     "--%s has several lines or a control character: expected one line",
+                     OPTIONS[i].name);
   po_status status = po_file_read(path, &bytes, &size);
   if (!status) {
     split(bytes, values, &header, &rows, had);
@@ -194,7 +187,7 @@ int po_verb_seal(int argc, char **argv) {
   const po_options options = {"seal", HELP, OPTIONS, argc, argv, NULL};
   const char *values[HEADERS] = {NULL};
   po_status status = PO_OK;
-  if (!po_options_read(&options, take_option, values, &status))
+  if (!po_options_read(&options, values, &status))
     return po_options_end(status);
   if (optind == argc)
     status = po_fail(PO_BAD_INPUT, "seal needs the names of tables (see pulloff seal --help)");

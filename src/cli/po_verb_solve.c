@@ -1,11 +1,13 @@
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
-#include "po_plot_scene.h"
+#include "po_memory.h"
 #include "po_print.h"
-#include "po_print_theories.h"
+#include "po_solve_line.h"
 #include "po_tables.h"
-#include "po_uncertain_line.h"
 #include "po_verbs.h"
 #include "po_watch.h"
 
@@ -52,7 +54,8 @@ static const char MORE_HELP[] =
     "  --profile-approach D    approach at which the profile is taken, in epsilon (default: that\n"
     "                          of the pull-off)\n"
     "  --profile-approach-m D  the same in m, after --from-physical\n"
-    "  --curve FILE            write the points of the branch to FILE, as CSV; for this and the other\n"
+    "  --curve FILE            write the points of the branch to FILE, as CSV; for this and the "
+    "other\n"
     "                          files, which are in SI units after --from-physical, - is standard\n"
     "                          output, and the result is printed on standard error\n"
     "  --profile-csv FILE      write gap and traction to FILE, as CSV; --profile FILE does the\n"
@@ -73,7 +76,142 @@ static const char MORE_HELP[] =
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
 /* Beside the options of keys. */
-static const struct option OPTIONS[] = {PO_SOLVE_LINE_OPTIONS};
+static const po_option OPTIONS[] = {PO_SOLVE_LINE_OPTIONS, {0}};
+
+/* -- Numbers with a standard uncertainty: 0.08+-0.01 -- */
+
+/* An option as it was given, in the order of the line. */
+typedef struct {
+  int option;
+  char *text;              /* its value without the uncertainty, owned; NULL: it has none */
+  double value, deviation; /* deviation 0: it is not uncertain */
+} given_option;
+
+typedef struct {
+  po_solve_line line;
+  const po_options *options;
+  given_option *given; /* owned, as the next three */
+  size_t count, room;
+  po_variation *variation;
+  po_solve_line *moved; /* the line with each uncertain number less and more */
+} uncertain_line;
+
+static const char SIGN[] = "+-";
+
+static void clear(uncertain_line *u) {
+  for (size_t k = 0; k < u->count; ++k)
+    free(u->given[k].text);
+  free(u->given);
+  free(u->variation);
+  free(u->moved);
+}
+
+static void name_of(const uncertain_line *u, int option, char name[40]) {
+  struct option table[PO_MOST_OPTIONS];
+  const struct option *row = table;
+  po_options_table(u->options, table);
+  while (row->name && row->val != option)
+    ++row;
+  snprintf(name, 40, "%s", row->name ? row->name : "");
+}
+
+/* Whether a number may be uncertain: one of the scene, in SI units or not, or of the preload. */
+static bool may_vary(int option) {
+  const int key = option - PO_OPTION_KEYS;
+  if (key < 0 || key >= PO_KEY_ALL)
+    return false;
+  const po_key target = po_key_target((po_key)key);
+  return po_key_is_continuous(key) || key == PO_KEY_TABLE_SCALE || target == PO_KEY_PRELOAD ||
+         target == PO_KEY_PRELOAD_LOAD;
+}
+
+static po_status read_uncertain(const uncertain_line *u, given_option *given) {
+  char *sign = strstr(given->text, SIGN), name[40];
+  const char *deviation = sign + strlen(SIGN);
+  *sign = '\0';
+  if (may_vary(given->option) && po_number_parse(given->text, &given->value) &&
+      po_number_parse(deviation, &given->deviation) && given->deviation > 0.0)
+    return PO_OK;
+  *sign = *SIGN;
+  name_of(u, given->option, name);
+  return po_options_refuse(name, given->text,
+                           may_vary(given->option)
+                               ? "a number, or with +- a number and its uncertainty > 0"
+                               : "a value without uncertainty");
+}
+
+/* Takes one option of the command line. */
+static po_status take(void *to, int option) {
+  uncertain_line *u = to;
+  given_option *given = po_grow(u->given, u->count, &u->room, sizeof *given);
+  if (!given)
+    return PO_NO_MEMORY;
+  u->given = given;
+  given += u->count++;
+  *given = (given_option){.option = option, .text = optarg ? po_copy_text(optarg) : NULL};
+  if (optarg && !given->text)
+    return PO_NO_MEMORY;
+  if (given->text && strstr(given->text, SIGN)) {
+    const po_status status = read_uncertain(u, given);
+    if (status)
+      return status;
+  }
+  optarg = given->text;
+  return po_options_take(u->options, &u->line, option);
+}
+
+/* Reads the line again, with one number moved. */
+static po_status read_moved(const uncertain_line *u, const given_option *which, double by,
+                            po_solve_line *moved) {
+  char text[PO_NUMBER_LENGTH];
+  po_status status = PO_OK;
+  *moved = po_solve_line_begin();
+  moved->warned = true;
+  po_number_print(which->value + by, text);
+  for (size_t k = 0; k < u->count && !status; ++k) {
+    optarg = &u->given[k] == which ? text : u->given[k].text;
+    status = po_options_take(u->options, moved, u->given[k].option);
+  }
+  return status ? status : po_solve_line_end(moved);
+}
+
+static po_status vary(uncertain_line *u, const given_option *given, size_t number) {
+  po_variation *v = &u->variation[number];
+  po_status status = PO_OK;
+  *v = (po_variation){.value = given->value, .deviation = given->deviation};
+  name_of(u, given->option, v->source);
+  for (int more = 0; more < 2 && !status; ++more) {
+    po_solve_line *moved = &u->moved[2 * number + (size_t)more];
+    const double by = PO_VARIATION_REACH * given->deviation;
+    status = read_moved(u, given, more ? by : -by, moved);
+    if (status == PO_BAD_INPUT)
+      status =
+          po_fail(status, "--%s is %s+-%g, and moved by twice its uncertainty it is refused: %s",
+                  v->source, given->text, given->deviation, po_message());
+    v->moved[more] = &moved->request;
+    v->unit[more] =
+        moved->request.in_si ? moved->request.units.force / u->line.request.units.force : 1.0;
+  }
+  return status;
+}
+
+/* Completes the request and checks it, also those with the uncertain numbers moved. */
+static po_status complete(uncertain_line *u) {
+  po_status status = po_solve_line_end(&u->line);
+  u->variation = po_allocate(u->count, sizeof *u->variation);
+  u->moved = po_allocate(2 * u->count, sizeof *u->moved);
+  if (!u->variation || !u->moved)
+    return PO_NO_MEMORY;
+  size_t number = 0;
+  for (size_t k = 0; k < u->count && !status; ++k)
+    if (u->given[k].deviation > 0.0)
+      status = vary(u, &u->given[k], number++);
+  u->line.request.variation = u->variation;
+  u->line.request.variations = number;
+  return status;
+}
+
+/* -- The solve -- */
 
 /* Prints the result; on standard error if standard output is for a table. */
 static po_status print_result(const po_solve_line *line, const po_result *result) {
@@ -154,17 +292,16 @@ static int solve(po_solve_line *line) {
 }
 
 int po_verb_solve(int argc, char **argv) {
-  const po_options options = {"solve", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_SOLVE};
-  po_uncertain_line uncertain = po_uncertain_line_begin(&options);
+  const po_options options = {
+      "solve", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_SOLVE, po_solve_line_take_key, take};
+  uncertain_line u = {.line = po_solve_line_begin(), .options = &options};
   po_status status = PO_OK;
-  if (!po_options_read(&options, po_uncertain_line_take, &uncertain, &status)) {
-    po_uncertain_line_clear(&uncertain);
-    return po_options_end(status);
-  }
-  status = po_options_no_operands(&options);
-  if (!status)
-    status = po_uncertain_line_end(&uncertain);
-  const int code = status ? po_options_end(status) : solve(&uncertain.line);
-  po_uncertain_line_clear(&uncertain);
+  const bool goes_on = po_options_read(&options, &u, &status);
+  if (goes_on)
+    status = po_options_no_operands(&options);
+  if (goes_on && !status)
+    status = complete(&u);
+  const int code = status || !goes_on ? po_options_end(status) : solve(&u.line);
+  clear(&u);
   return code;
 }

@@ -54,8 +54,6 @@ static const char MORE_HELP[] = PO_SCENE_OPTIONS_HELP
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { ALPHA = PO_OPTION_NEXT, GAP, TENSION, JSON };
-
 /* The options of one command line. A number that is not given is NAN. */
 typedef struct {
   po_scene_options options;
@@ -66,34 +64,12 @@ typedef struct {
 } po_theory_line;
 
 /* Beside the options of keys. */
-static const struct option OPTIONS[] = {
-    {"alpha", required_argument, NULL, ALPHA},     {"gap", required_argument, NULL, GAP},
-    {"tension", required_argument, NULL, TENSION}, {"json", no_argument, NULL, JSON},
-    {"help", no_argument, NULL, PO_OPTION_HELP},   {NULL, 0, NULL, 0}};
-
-/* Takes a number that is more than `least`. */
-static po_status take_number(const char *name, double least, const char *expected, double *value) {
-  return po_number_parse(optarg, value) && *value > least
-             ? PO_OK
-             : po_options_refuse(name, optarg, expected);
-}
-
-static po_status take_option(void *to, int option) {
-  po_theory_line *l = to;
-  switch (option) {
-  case JSON:
-    l->json = true;
-    return PO_OK;
-  case GAP:
-    return take_number("gap", -1.0, "a finite number > -1", &l->gap);
-  case TENSION:
-    return take_number("tension", 0.0, "a finite number > 0", &l->tension);
-  case ALPHA:
-    return take_number("alpha", 0.0, "a finite number > 0", &l->alpha);
-  default:
-    return po_scene_options_take(&l->options, option);
-  }
-}
+static const po_option OPTIONS[] = {
+    PO_NUMBER("alpha", po_theory_line, alpha, 0.0, "a finite number > 0"),
+    PO_NUMBER("gap", po_theory_line, gap, -1.0, "a finite number > -1"),
+    PO_NUMBER("tension", po_theory_line, tension, 0.0, "a finite number > 0"),
+    PO_FLAG("json", po_theory_line, json),
+    {0}};
 
 /* Refuses options that have no effect on the form. */
 static po_status check_use(const po_theory_line *l, const po_form *form) {
@@ -257,7 +233,8 @@ static po_status print(const po_theory_line *l, const po_form *form) {
 }
 
 int po_verb_theory(int argc, char **argv) {
-  const po_options options = {"theory", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_THEORY};
+  const po_options options = {"theory", HELP,      OPTIONS,       argc,
+                              argv,     MORE_HELP, PO_FOR_THEORY, po_scene_options_take};
   po_theory_line line = {.options = po_scene_options_begin(),
                          .request = po_input_default(),
                          .alpha = NAN,
@@ -266,7 +243,7 @@ int po_verb_theory(int argc, char **argv) {
                          .approach = NAN,
                          .contact_radius = NAN};
   po_status status = PO_OK;
-  if (!po_options_read(&options, take_option, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   const char *name = optind < argc ? argv[optind++] : "";
   const po_form *form = po_form_find(name);

@@ -39,14 +39,18 @@ static const char HELP[] =
     "\n"
     "Example: pulloff verify --suite smoke\n";
 
-enum { TAP = PO_SESSION_NEXT, JUNIT, VERBOSE, IDENTICAL };
+typedef struct {
+  po_session session;
+  bool tap, verbose, identical;
+  const char *junit; /* a file; NULL: none */
+} verify_line;
 
-static const struct option OPTIONS[] = {PO_SESSION_OPTIONS,
-                                        {"tap", no_argument, NULL, TAP},
-                                        {"verbose", no_argument, NULL, VERBOSE},
-                                        {"identical", no_argument, NULL, IDENTICAL},
-                                        {"junit", required_argument, NULL, JUNIT},
-                                        {NULL, 0, NULL, 0}};
+static const po_option OPTIONS[] = {PO_SESSION_OPTIONS,
+                                    PO_FLAG("tap", verify_line, tap),
+                                    PO_FLAG("verbose", verify_line, verbose),
+                                    PO_FLAG("identical", verify_line, identical),
+                                    PO_TEXT("junit", verify_line, junit, "the name of a file"),
+                                    {0}};
 
 /* If no case is named, no reference table may be missing, truncated or altered, even one that no
  * case uses. */
@@ -58,12 +62,6 @@ static po_status check_references(void) {
   po_reference_list_close(&list);
   return status;
 }
-
-typedef struct {
-  po_session session;
-  bool tap, verbose, identical;
-  const char *junit; /* a file; NULL: none */
-} verify_line;
 
 static const char *label_of(const po_finding *finding) {
   return finding->label ? finding->label : "all points";
@@ -233,21 +231,6 @@ static po_status write_junit(const po_session *session, const char *junit) {
   return status;
 }
 
-static po_status take_option(void *to, int option) {
-  verify_line *line = to;
-  if (option == TAP)
-    line->tap = true;
-  else if (option == VERBOSE)
-    line->verbose = true;
-  else if (option == IDENTICAL)
-    line->identical = true;
-  else if (option == JUNIT)
-    return po_options_take_text("junit", "the name of a file", &line->junit);
-  else
-    return po_session_option(&line->session, option);
-  return PO_OK;
-}
-
 static size_t session_outside(const po_session *session) {
   size_t total = 0;
   for (size_t i = 0; i < session->run_count; ++i)
@@ -261,7 +244,7 @@ int po_verb_verify(int argc, char **argv) {
   po_session *session = &line.session;
   po_status status = PO_OK;
   bool differs = false;
-  if (!po_options_read(&options, take_option, &line, &status))
+  if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   if (optind == argc)
     status = check_references();

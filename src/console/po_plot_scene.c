@@ -11,11 +11,11 @@
 #include "po_file.h"
 #include "po_options.h"
 
-po_status po_plot_take_file(const char *text, const char **file) {
-  *file = text;
-  return po_plot_is_figure(text)
+po_status po_plot_take_file(const char *name, void *file) {
+  *(const char **)file = optarg;
+  return po_plot_is_figure(optarg)
              ? PO_OK
-             : po_options_refuse("plot", text,
+             : po_options_refuse(name, optarg,
                                  "the name of a file that ends in .svg, .png or .pdf");
 }
 

@@ -5,8 +5,9 @@
 #include "po_plot.h"
 #include "po_print_series.h"
 
-/* Takes the name of a figure. Status: PO_BAD_INPUT unless it ends in .svg, .png or .pdf. */
-po_status po_plot_take_file(const char *text, const char **file);
+/* Takes the name of a figure (po_option_taker), a const char *. Status: PO_BAD_INPUT unless it ends
+ * in .svg, .png or .pdf. */
+po_status po_plot_take_file(const char *name, void *file);
 
 /* Draws a picture in a file, or prints it as characters if it is NULL, as large as the terminal,
  * and clears it. Status: as po_plot_draw. */

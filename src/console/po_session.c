@@ -44,10 +44,11 @@ static bool read_range(const char *text, size_t length, po_point_range *range) {
 }
 
 /* "17", "0-499" or "0-3,17". */
-static po_status take_points(const char *text, po_session *session) {
+po_status po_session_take_points(const char *name, void *to) {
+  po_session *session = to;
   size_t count = 0;
   bool good = true, more = true;
-  for (const char *at = text; good && more; ++count) {
+  for (const char *at = optarg; good && more; ++count) {
     const size_t length = strcspn(at, ",");
     good = count < PO_MOST_RANGES && read_range(at, length, &session->ranges[count]);
     more = at[length] == ',';
@@ -55,54 +56,37 @@ static po_status take_points(const char *text, po_session *session) {
   }
   session->range_count = count;
   return good ? PO_OK
-              : po_options_refuse("points", text,
+              : po_options_refuse(name, optarg,
                                   "A-B or one number, counted from 0, or several with commas");
 }
 
 /* "2/5". */
-static po_status take_shard(const char *text, po_shard *shard) {
+po_status po_session_take_shard(const char *name, void *to) {
+  po_shard *shard = to;
   char number[32];
-  const size_t length = strcspn(text, "/");
-  snprintf(number, sizeof number, "%.*s", (int)(length < 31 ? length : 31), text);
-  if (!text[length] || !po_number_parse_count(number, &shard->number) ||
-      !po_number_parse_count(text + length + 1, &shard->count) || shard->number < 1 ||
+  const size_t length = strcspn(optarg, "/");
+  snprintf(number, sizeof number, "%.*s", (int)(length < 31 ? length : 31), optarg);
+  if (!optarg[length] || !po_number_parse_count(number, &shard->number) ||
+      !po_number_parse_count(optarg + length + 1, &shard->count) || shard->number < 1 ||
       shard->number > shard->count || shard->count > PO_MOST_SHARDS)
-    return po_options_refuse("shard", text, "K/N, the K-th of N shards, such as 1/4");
+    return po_options_refuse(name, optarg, "K/N, the K-th of N shards, such as 1/4");
   return PO_OK;
 }
 
-po_status po_session_option(void *to, int option) {
-  po_session *session = to;
+po_status po_session_take_jobs(const char *name, void *to) {
   size_t jobs = 0;
-  switch (option) {
-  case PO_SESSION_SUITE:
-    return po_options_take_text("suite", "names of suites", &session->suites);
-  case PO_SESSION_OUTPUT:
-    return po_options_take_text("output", "the name of a folder", &session->options.output);
-  case PO_SESSION_JOBS:
-    if (!po_number_parse_count(optarg, &jobs) || jobs > MOST_JOBS)
-      return po_options_refuse("jobs", optarg, "a whole number, 0 for all cores");
-    session->options.jobs = (int)jobs;
-    return PO_OK;
-  case PO_SESSION_POINTS:
-    return take_points(optarg, session);
-  case PO_SESSION_SHARD:
-    return take_shard(optarg, &session->shard);
-  case PO_SESSION_SOLVER:
-    if (session->manifest_count == PO_MOST_MANIFESTS)
-      return po_options_refuse("solver", optarg, "at most 16 solvers");
-    return po_options_take_text("solver", "the path of a manifest, or pulloff",
-                                &session->manifests[session->manifest_count++]);
-  case PO_SESSION_KNOB:
-    return po_options_take_text("knob", "a value of the knob", &session->knob);
-  case PO_SESSION_TIME_LIMIT:
-    return po_number_parse(optarg, &session->time_limit) && session->time_limit > 0
-               ? PO_OK
-               : po_options_refuse("time-limit", optarg, "a finite number > 0");
-  default:
-    session->options.fresh = true;
-    return PO_OK;
-  }
+  if (!po_number_parse_count(optarg, &jobs) || jobs > MOST_JOBS)
+    return po_options_refuse(name, optarg, "a whole number, 0 for all cores");
+  *(int *)to = (int)jobs;
+  return PO_OK;
+}
+
+po_status po_session_take_solver(const char *name, void *to) {
+  po_session *session = to;
+  if (session->manifest_count == PO_MOST_MANIFESTS)
+    return po_options_refuse(name, optarg, "at most 16 solvers");
+  return po_options_take_text(name, "the path of a manifest, or pulloff",
+                              &session->manifests[session->manifest_count++]);
 }
 
 /* Adds a solver (NULL: this program). Two solvers must not write to the same folder. */

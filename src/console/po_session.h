@@ -30,42 +30,23 @@ typedef struct {
   size_t run_count;
 } po_session;
 
-/* The options that all these verbs take: values, and entries for the option tables. */
-enum {
-  PO_SESSION_SUITE = 1,
-  PO_SESSION_OUTPUT,
-  PO_SESSION_JOBS,
-  PO_SESSION_POINTS,
-  PO_SESSION_TIME_LIMIT,
-  PO_SESSION_FRESH,
-  PO_SESSION_SHARD, /* only for the verb run */
-  PO_SESSION_SOLVER,
-  PO_SESSION_KNOB,
-  PO_SESSION_NEXT
-};
+/* The options of these verbs, as rows of their tables. The session is the first member of their
+ * lines. Before it is opened, a session owns nothing that has to be cleared. */
+po_option_taker po_session_take_jobs, po_session_take_points, po_session_take_shard,
+    po_session_take_solver;
 // clang-format off
-#define PO_SESSION_SOLVER_OPTIONS                                                                  \
-  {"solver", required_argument, NULL, PO_SESSION_SOLVER},                                          \
-  {"knob", required_argument, NULL, PO_SESSION_KNOB}
+#define PO_SESSION_SUITE PO_TEXT("suite", po_session, suites, "names of suites")
+#define PO_SESSION_SOLVER_OPTIONS \
+  {.name = "solver", .kind = PO_OPTION_IS_TAKEN, .take = po_session_take_solver}, \
+  PO_TEXT("knob", po_session, knob, "a value of the knob"), \
+  PO_TEXT("output", po_session, options.output, "the name of a folder")
 
-#define PO_SESSION_OPTIONS                                                                         \
-  PO_SESSION_SOLVER_OPTIONS,                                                                       \
-  {"suite", required_argument, NULL, PO_SESSION_SUITE},                                            \
-  {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
-  {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
-  {"points", required_argument, NULL, PO_SESSION_POINTS},                                          \
-  {"time-limit", required_argument, NULL, PO_SESSION_TIME_LIMIT},                                  \
-  {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
-  {"help", no_argument, NULL, PO_OPTION_HELP}
-
-/* The options of a verb that takes one case. */
-#define PO_SESSION_CASE_OPTIONS                                                                    \
-  PO_SESSION_SOLVER_OPTIONS,                                                                       \
-  {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
-  {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
-  {"time-limit", required_argument, NULL, PO_SESSION_TIME_LIMIT},                                  \
-  {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
-  {"help", no_argument, NULL, PO_OPTION_HELP}
+/* Of a verb that takes one case, and of one that takes all. */
+#define PO_SESSION_CASE_OPTIONS \
+  PO_SESSION_SOLVER_OPTIONS, PO_TAKEN("jobs", po_session, options.jobs, po_session_take_jobs), \
+  PO_NUMBER("time-limit", po_session, time_limit, 0.0, "a finite number > 0"), PO_FLAG("fresh", po_session, options.fresh)
+#define PO_SESSION_OPTIONS \
+  PO_SESSION_CASE_OPTIONS, PO_SESSION_SUITE, {.name = "points", .kind = PO_OPTION_IS_TAKEN, .take = po_session_take_points}
 // clang-format on
 
 /* A session with the defaults. */
@@ -87,10 +68,6 @@ po_session po_session_default(void);
 
 /* The folder of the records; NULL: it is the default. */
 const char *po_session_output(const po_session *session);
-
-/* Stores one option of the table above in a po_session: a po_option_taker. Before it is opened, a
- * session owns nothing that has to be cleared. Status: PO_BAD_INPUT. */
-po_status po_session_option(void *session, int option);
 
 /* Reads, checks and plans the cases that the operands (or the suites) name, and then runs them. No
  * case is run if one of them is wrong. Status: as po_run. */

@@ -152,12 +152,35 @@ static void add_help(unsigned verb, const char *text, po_text *help) {
 
 void po_options_table(const po_options *options, struct option table[PO_MOST_OPTIONS]) {
   size_t count = 0;
-  for (const struct option *own = options->options; own->name; ++own)
-    table[count++] = *own;
+  for (const po_option *row = options->options; row->name; ++row, ++count)
+    table[count] =
+        (struct option){row->name, row->kind == PO_OPTION_IS_FLAG ? no_argument : required_argument,
+                        NULL, PO_OPTION_ROWS + (int)count};
+  table[count++] = (struct option){"help", no_argument, NULL, PO_OPTION_HELP};
   if (options->keys)
     table[count++] = (struct option){"from-physical", no_argument, NULL, PO_OPTION_PHYSICAL};
   count = add_key_options(options->keys, table, count);
   table[count] = (struct option){0};
+}
+
+po_status po_options_take(const po_options *options, void *line, int option) {
+  if (option < PO_OPTION_ROWS)
+    return options->take_key(line, option);
+  const po_option *row = &options->options[option - PO_OPTION_ROWS];
+  void *value = (char *)line + row->place;
+  switch (row->kind) {
+  case PO_OPTION_IS_FLAG:
+    *(bool *)value = true;
+    return PO_OK;
+  case PO_OPTION_IS_TEXT:
+    return po_options_take_text(row->name, row->expected, value);
+  case PO_OPTION_IS_NUMBER:
+    return po_number_parse(optarg, value) && *(double *)value > row->least
+               ? PO_OK
+               : po_options_refuse(row->name, optarg, row->expected);
+  default:
+    return row->take(row->name, value);
+  }
 }
 
 /* Prints the help of a verb. Status: PO_NO_MEMORY. */
@@ -171,8 +194,7 @@ static po_status print_help(const po_options *options) {
   return status;
 }
 
-bool po_options_read(const po_options *options, po_option_taker *take, void *line,
-                     po_status *status) {
+bool po_options_read(const po_options *options, void *line, po_status *status) {
   struct option table[PO_MOST_OPTIONS];
   int option = 0;
   po_options_table(options, table);
@@ -182,7 +204,9 @@ bool po_options_read(const po_options *options, po_option_taker *take, void *lin
       *status = print_help(options);
       return false;
     }
-    *status = option == BAD ? PO_BAD_INPUT : take(line, option);
+    *status = option == BAD   ? PO_BAD_INPUT
+              : options->take ? options->take(line, option)
+                              : po_options_take(options, line, option);
   }
   return *status == PO_OK;
 }
@@ -196,7 +220,7 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
 
 po_status po_options_take_text(const char *option, const char *expected, const char **text) {
   *text = optarg;
-  return *optarg ? PO_OK : po_options_refuse(option, optarg, expected);
+  return *optarg || !expected ? PO_OK : po_options_refuse(option, optarg, expected);
 }
 
 po_status po_options_no_operands(const po_options *options) {

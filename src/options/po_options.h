@@ -23,40 +23,68 @@ enum {
   PO_EXIT_INTERRUPTED = 130 /* 128 + SIGINT, the convention of shells */
 };
 
-/* The values of options in every table: of --from-physical, of the keys, and of --help. A verb's
- * own begin at PO_OPTION_NEXT and are smaller than ':', which getopt returns, as '?' and 'h'. */
-enum { PO_OPTION_PHYSICAL = 1, PO_OPTION_NEXT, PO_OPTION_KEYS = 200, PO_OPTION_HELP = 1000 };
+/* Takes optarg as the value of an option, from the place of its row on. Status: PO_BAD_INPUT. */
+typedef po_status po_option_taker(const char *name, void *value);
 
-/* The command line of one verb, and the options it may have. */
+typedef enum {
+  PO_OPTION_IS_FLAG,   /* has no value, and sets a bool */
+  PO_OPTION_IS_TEXT,   /* a path or names: a const char * */
+  PO_OPTION_IS_NUMBER, /* a double, more than `least` */
+  PO_OPTION_IS_TAKEN   /* by the function `take` */
+} po_option_kind;
+
+/* An option of a verb, and the place of its value in the struct `line` of the verb. */
+typedef struct {
+  const char *name;
+  po_option_kind kind;
+  size_t place;
+  const char *expected; /* of a text: NULL: it may be empty */
+  double least;
+  po_option_taker *take;
+} po_option;
+// clang-format off
+#define PO_FLAG(key, line, member) {.name = key, .kind = PO_OPTION_IS_FLAG, .place = offsetof(line, member)}
+#define PO_TEXT(key, line, member, what) \
+  {.name = key, .kind = PO_OPTION_IS_TEXT, .place = offsetof(line, member), .expected = what}
+#define PO_NUMBER(key, line, member, above, what) \
+  {.name = key, .kind = PO_OPTION_IS_NUMBER, .place = offsetof(line, member), .expected = what, .least = above}
+#define PO_TAKEN(key, line, member, function) \
+  {.name = key, .kind = PO_OPTION_IS_TAKEN, .place = offsetof(line, member), .take = function}
+// clang-format on
+
+/* The values of options in the table of getopt: of --from-physical, of the keys, of the rows of a
+ * verb, and of --help. getopt itself returns ':', '?' and 'h'. */
+enum { PO_OPTION_PHYSICAL = 1, PO_OPTION_KEYS = 200, PO_OPTION_ROWS = 400, PO_OPTION_HELP = 1000 };
+
+/* The command line of one verb, and the options it may have beside --help. */
 typedef struct {
   const char *verb;
-  const char *help; /* printed by --help */
-  const struct option *options;
+  const char *help;         /* printed by --help */
+  const po_option *options; /* ends with a row without a name */
   int argc;
   char **argv;
   const char *more_help; /* printed after `help`; NULL: none */
   unsigned keys; /* PO_FOR_...: the options of the keys of this verb are added, and its helps have
                     lines such as @scene, see add_help; 0: none */
+  po_status (*take_key)(void *line, int option); /* takes PO_OPTION_PHYSICAL, or that of a key */
+  po_status (*take)(void *line, int option);     /* in place of po_options_take; NULL: that */
 } po_options;
 
 /* Fills the table of all options of a verb, whose last row is zero. */
 void po_options_table(const po_options *options, struct option table[PO_MOST_OPTIONS]);
 
-/* Stores one option, whose value is in optarg, in the struct `line` of the verb. Status:
- * PO_BAD_INPUT. */
-typedef po_status po_option_taker(void *line, int option);
+/* Stores one option, whose value is in optarg, in the line. Status: PO_BAD_INPUT. */
+po_status po_options_take(const po_options *options, void *line, int option);
 
-/* Passes every option to `take`. NULL: the verb has no option but --help.
- * Returned: whether the verb continues; its operands begin at argv[optind]. If it does not, *status
- * is PO_OK if --help was given and the help printed, and PO_BAD_INPUT if an option is unknown,
- * lacks its value, or was refused by `take`. */
-bool po_options_read(const po_options *options, po_option_taker *take, void *line,
-                     po_status *status);
+/* Stores every option. Returned: whether the verb continues; its operands begin at argv[optind]. If
+ * it does not, *status is PO_OK if --help was given and the help printed, and PO_BAD_INPUT if an
+ * option is unknown, lacks its value, or was refused. */
+bool po_options_read(const po_options *options, void *line, po_status *status);
 
 /* Refuses the value of an option: PO_BAD_INPUT. */
 po_status po_options_refuse(const char *option, const char *value, const char *expected);
 
-/* Takes a path or names from optarg; refuses an empty text. */
+/* Takes a path or names from optarg; refuses an empty text, if something is expected. */
 po_status po_options_take_text(const char *option, const char *expected, const char **text);
 
 /* Refuses operands, for verbs that take none. */

@@ -26,7 +26,8 @@ static po_status take_wave(po_scene_options *options) {
              : po_options_refuse("wave", optarg, "at most 8 waves");
 }
 
-po_status po_scene_options_take(po_scene_options *options, int option) {
+po_status po_scene_options_take(void *to, int option) {
+  po_scene_options *options = to;
   const int key = option - PO_OPTION_KEYS;
   if (option == PO_OPTION_PHYSICAL)
     options->given.si = true;

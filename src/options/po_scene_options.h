@@ -23,8 +23,9 @@ typedef struct {
 /* No option given. */
 po_scene_options po_scene_options_begin(void);
 
-/* Stores one option: PO_OPTION_PHYSICAL, or PO_OPTION_KEYS and a key. Status: PO_BAD_INPUT. */
-po_status po_scene_options_take(po_scene_options *options, int option);
+/* Stores one option in a po_scene_options, which is the first member of the lines of verbs:
+ * PO_OPTION_PHYSICAL, or PO_OPTION_KEYS and a key. Status: PO_BAD_INPUT. */
+po_status po_scene_options_take(void *options, int option);
 
 /* Warns, on standard error, of lengths in epsilon that only make sense as metres. */
 void po_scene_options_warn(const po_given *given);
