@@ -132,6 +132,11 @@ typedef struct {
 /* Appends the data of a map to a script, for reports/figures/map.gp. Status: PO_NO_MEMORY. */
 po_status po_plot_map_data(const po_plot_map *map, po_text *script);
 
+/* Appends the line below a plot of characters, with the first and the last x below it. Before the
+ * plot there are PO_PLOT_LABEL characters for values of y. */
+enum { PO_PLOT_LABEL = 10 };
+void po_plot_add_floor(po_text *text, size_t width, double first, double last);
+
 /* Appends a map of characters, at most `columns` x `rows` of them. */
 void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y_name,
                        size_t columns, size_t rows, po_text *text);

@@ -74,8 +74,18 @@ static void draw_series(canvas *c, const po_plot_series *s, char mark) {
     draw(c, &s->point[i], line, mark);
 }
 
+void po_plot_add_floor(po_text *text, size_t width, double first, double last) {
+  char from[32], to[32];
+  snprintf(from, sizeof from, "%.4g", first);
+  snprintf(to, sizeof to, "%.4g", last);
+  po_text_add(text, "%*s +", PO_PLOT_LABEL, "");
+  for (size_t k = 0; k < width; ++k)
+    po_text_add(text, "-");
+  const int gap = (int)width - (int)strlen(from);
+  po_text_add(text, "\n%*s  %s%*s\n", PO_PLOT_LABEL, "", from, gap > 1 ? gap : 1, to);
+}
+
 static void add_rows(const canvas *c, po_text *text) {
-  enum { LABEL = 10 };
   for (size_t row = 0; row < c->rows; ++row) {
     char label[32] = "";
     const double at = 1.0 - (double)row / (double)(c->rows - 1);
@@ -86,16 +96,9 @@ static void add_rows(const canvas *c, po_text *text) {
     size_t length = c->columns;
     while (length && c->cell[row * c->columns + length - 1] == ' ')
       --length;
-    po_text_add(text, "%*s |%.*s\n", LABEL, label, (int)length, c->cell + row * c->columns);
+    po_text_add(text, "%*s |%.*s\n", PO_PLOT_LABEL, label, (int)length, c->cell + row * c->columns);
   }
-  po_text_add(text, "%*s +", LABEL, "");
-  for (size_t k = 0; k < c->columns; ++k)
-    po_text_add(text, "-");
-  char from[32], to[32];
-  snprintf(from, sizeof from, "%.4g", c->x[0]);
-  snprintf(to, sizeof to, "%.4g", c->x[1]);
-  const int gap = (int)c->columns - (int)strlen(from);
-  po_text_add(text, "\n%*s  %s%*s\n", LABEL, "", from, gap > 1 ? gap : 1, to);
+  po_plot_add_floor(text, c->columns, c->x[0], c->x[1]);
 }
 
 /* The title of each mark, once. */

@@ -68,7 +68,7 @@ static char shade_of(double value, const double range[2]) {
 
 void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y_name,
                        size_t columns, size_t rows, po_text *text) {
-  enum { LABEL = 10, ROWS_PER_LABEL = 5 };
+  enum { ROWS_PER_LABEL = 5 };
   double range[2];
   find_range(map, range);
   /* every value has the same number of characters; if there are too many values, some are left out
@@ -84,20 +84,13 @@ void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y
     char label[32] = "";
     if (shown % ROWS_PER_LABEL == 0 || down + every_row >= map->rows)
       snprintf(label, sizeof label, "%.4g", map->y[j]);
-    po_text_add(text, "%*s |", LABEL, label);
+    po_text_add(text, "%*s |", PO_PLOT_LABEL, label);
     width = 0;
     for (size_t i = 0; i < map->columns; i += every)
       for (size_t k = 0; k < wide; ++k, ++width)
         po_text_add(text, "%c", shade_of(map->value[j * map->columns + i], range));
     po_text_add(text, "\n");
   }
-  po_text_add(text, "%*s +", LABEL, "");
-  for (size_t k = 0; k < width; ++k)
-    po_text_add(text, "-");
-  char from[32], to[32];
-  snprintf(from, sizeof from, "%.4g", map->x[0]);
-  snprintf(to, sizeof to, "%.4g", map->x[map->columns - 1]);
-  po_text_add(text, "\n%*s  %-*s%s\n", LABEL, "", (int)width - (int)snprintf(NULL, 0, "%s", to),
-              from, to);
-  po_text_add(text, "%*s  %s, upwards %s\n", LABEL, "", x_name, y_name);
+  po_plot_add_floor(text, width, map->x[0], map->x[map->columns - 1]);
+  po_text_add(text, "%*s  %s, upwards %s\n", PO_PLOT_LABEL, "", x_name, y_name);
 }

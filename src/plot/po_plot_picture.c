@@ -1,4 +1,4 @@
-/* Pictures: their parts, axes and ranges. */
+/* Pictures: their captions, parts, axes and ranges. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +16,49 @@ static const double MARGIN = 0.05;
 
 const char *po_plot_load_unit(const char *load_unit) {
   return strcmp(load_unit, "pi w R") == 0 ? "πwR" : "πwε";
+}
+
+/* Appends a quantity with the prefix that fits it. */
+static void add_quantity(po_text *text, const char *symbol, double value, const char *unit) {
+  static const char *const PREFIX[] = {"a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
+  enum { NONE = 6, LAST = sizeof PREFIX / sizeof *PREFIX - 1 };
+  int k = NONE;
+  /* 0.3 nm and 0.2 N/m, but 80 mJ/m² */
+  const double least = strcmp(unit, "m") == 0     ? 0.099999
+                       : strcmp(unit, "N/m") == 0 ? 0.0099999
+                                                  : 0.99999;
+  for (; k > 0 && fabs(value) < least; --k)
+    value *= 1e3;
+  for (; k < LAST && fabs(value) >= 999.99; ++k)
+    value /= 1e3;
+  if (isfinite(value) && value != 0.0)
+    po_text_add(text, "%s%s = %.5g %s%s", text->length ? ", " : "", symbol, value, PREFIX[k], unit);
+}
+
+char *po_plot_caption(const po_request *request) {
+  const po_scene *scene = &request->scene;
+  po_text text = {0};
+  const po_units *units = &request->units;
+  if (!request->in_si)
+    return po_input_command(request);
+  if (po_profile_is_sphere(&scene->profile)) {
+    add_quantity(&text, "R", scene->radius * units->length, "m");
+  } else {
+    char profile[PO_KEY_TEXT_LENGTH];
+    po_key_print(request, PO_KEY_PROFILE, profile);
+    po_text_add(&text, "profile %s (ε)", profile);
+  }
+  add_quantity(&text, "w", units->work, "J/m²");
+  add_quantity(&text, "E*", po_scene_stiffness(scene) * units->tension, "Pa");
+  add_quantity(&text, "ε", units->length, "m");
+  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
+    add_quantity(&text, "A", po_scene_wave(scene, k).amplitude * units->length, "m");
+    add_quantity(&text, "λ", po_scene_wave(scene, k).length * units->length, "m");
+  }
+  add_quantity(&text, "preload", request->preload.load * units->force, "N");
+  add_quantity(&text, "preload", request->preload.approach * units->length, "m");
+  add_quantity(&text, "spring", request->stiffness * (units->force / units->length), "N/m");
+  return text.failed ? NULL : text.data;
 }
 
 po_plot_picture po_plot_begin(char *caption, const po_request *request) {
