@@ -4,7 +4,6 @@
 #include "po_json.h"
 #include "po_plot_scene.h"
 #include "po_print.h"
-#include "po_print_theories.h"
 #include "po_quote.h"
 #include "po_solve_line.h"
 #include "po_suggest.h"

@@ -1,7 +1,6 @@
 #include <string.h>
 
 #include "po_plot.h"
-#include "po_plot_case.h"
 #include "po_plot_scene.h"
 #include "po_solve_line.h"
 #include "po_verbs.h"

@@ -1,4 +1,4 @@
-#include "po_plot_case.h"
+#include "po_plot_scene.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +8,6 @@
 #include "po_input.h"
 #include "po_memory.h"
 #include "po_plot.h"
-#include "po_plot_scene.h"
 #include "po_session.h"
 
 /* The least number of values of both keys; a case with fewer values of one is a set of curves. */

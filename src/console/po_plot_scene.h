@@ -1,4 +1,6 @@
-/* The pictures of one scene and of a series of scenes: a figure in a file, or characters. */
+/* The pictures of one scene, of a series of scenes and of a case: a figure in a file, or
+ * characters.
+ */
 #ifndef PO_PLOT_SCENE_H
 #define PO_PLOT_SCENE_H
 
@@ -24,5 +26,10 @@ po_status po_plot_map_draw(const po_text *script, const char *file);
 
 /* The size of a plot in characters: that of the terminal, within limits. */
 void po_plot_size(size_t *columns, size_t *rows);
+
+/* Plots the pull-off forces of a case against a key of its sweep, or as a map if two keys vary.
+ * Given: `run`, folder of the records; NULL: the default; `file`, NULL: as characters. Points
+ * without a result are solved. */
+po_status po_plot_case(char *name, const char *run, const char *file);
 
 #endif

@@ -5,10 +5,6 @@
 
 #include "po_input.h"
 #include "po_json.h"
-#include "po_print_physical.h"
-#include "po_print_test.h"
-#include "po_print_theories.h"
-#include "po_print_uncertain.h"
 #include "po_profile_table.h"
 #include "po_result_rows.h"
 #include "po_text.h"
@@ -201,6 +197,25 @@ static bool is_printed(const po_request *request, po_key key) {
   }
 }
 
+/* Uncertainty of a table, eps, from which on it may move a force by a percent. */
+static const double NOISY = 0.02;
+
+/* A line for the noise of a smoothed table, or one that recommends to smooth it; nothing if the
+ * rows determine the table well. */
+static void print_smoothing(const po_profile *profile) {
+  const po_smoothing *s = &profile->table->smoothing;
+  if (!s->knots && profile->table->uncertainty > NOISY)
+    printf("         rows with noise are smoothed with its standard deviation, --smooth SIGMA or "
+           "auto\n");
+  if (!s->knots)
+    return;
+  const double unit = profile->table->scale;
+  printf("smoothed noise %.4g of the rows %s, residuals %.4g; removed: rms %.4g, greatest %.4g, in "
+         "the unit of the file; %.1f of %zu parameters are left\n",
+         s->deviation / unit, isinf(profile->table->smooth) ? "estimated" : "stated",
+         s->residual / unit, s->rms / unit, s->greatest / unit, s->parameters, s->points);
+}
+
 static void print_table(const po_profile *profile) {
   const po_profile_table *table = profile->table;
   printf(
@@ -208,7 +223,7 @@ static void print_table(const po_profile *profile) {
       "is uncertain by %.1e epsilon\n",
       po_profile_table_points(table), po_profile_end(profile), po_profile_growth(profile),
       table->uncertainty);
-  po_print_smoothing(profile);
+  print_smoothing(profile);
 }
 
 /* Prints the value of a key. Numbers of a scene in SI units have a rounding error: one that is the

@@ -1,4 +1,5 @@
-/* Prints the result of one solve, as text or JSON, or any JSON document on standard output. */
+/* Prints results on standard output: of one solve, as text or JSON, of the theories beside it, and
+ * any JSON document. */
 #ifndef PO_PRINT_H
 #define PO_PRINT_H
 
@@ -7,6 +8,7 @@
 #include "po_case.h"
 #include "po_given.h"
 #include "po_json_value.h"
+#include "po_physical.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_solver.h"
@@ -34,5 +36,43 @@ void po_print_summary(const po_request *request, const po_result *result);
 
 /* Prints the result as text for the terminal. */
 po_status po_print_text(const po_request *request, const po_given *given, const po_result *result);
+
+/* {"input": {"modulus_pa", "work_j_per_m2", "distance_m", "radius_m", ...}, "units": {"length_m",
+ * "force_n", "traction_pa"}}: the options that were given, and the units by which dimensionless
+ * numbers are multiplied. */
+json_t *po_json_physical_input(const po_given *given, const po_units *units);
+
+/* The same object with "pull_off", "folds", "extrema" and, if they are wanted, "curve",
+ * "profile" and "theories". */
+json_t *po_json_physical(const po_given *given, const po_request *request, const po_result *result);
+
+/* The same input as text for the terminal. */
+void po_print_physical_input(const po_given *given);
+
+/* Prints the table of the theories and their sources. Given: `only`, the one to be printed, or NULL
+ * for all; the units for a column in N, or NULL. */
+void po_print_theories(const po_result *result, const po_theory *only, const po_units *units);
+
+/* -- Parts of po_print_text -- */
+
+/* The input and the results in SI units, for scenes given with --from-physical. */
+void po_print_physical(const po_given *given, const po_request *request, const po_result *result);
+
+/* A line for each source of uncertainty of the pull-off force, and one for all. Given: the unit of
+ * the force, as a factor and by name. */
+void po_print_uncertain(const po_result *result, double unit, const char *name);
+
+/* The loops and the staircases of the result, of the JKR theory, too, and the sizes of the results
+ * that are too long for the terminal: in SI units if the scene is. */
+void po_print_test(const po_request *request, const po_result *result);
+
+/* One line with the deviations of the best known theories; nothing without any. */
+void po_print_theories_line(const po_result *result);
+
+/* A change in percent: rounded to 1e-4, so that a derivative that vanishes is printed as 0. */
+double po_print_percent(double change);
+
+/* An error with two digits; empty if none was estimated. */
+const char *po_print_error(double error, char text[16]);
 
 #endif

@@ -1,12 +1,12 @@
-#include "po_print_physical.h"
+#include "po_print.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_json.h"
 #include "po_json_rows.h"
-#include "po_print_uncertain.h"
 #include "po_result_rows.h"
 #include "po_si.h"
 
@@ -141,6 +141,37 @@ static void print_preload(const po_si_unit *length, const po_si_unit *force, con
     printf(" to approach %.4g %s, load %.4g %s, gives this pull-off\n",
            until->approach * length->factor, length->text, until->load * force->factor,
            force->text);
+}
+
+/* A number with two significant digits, "1500". */
+static double rounded(double value) {
+  char text[32];
+  snprintf(text, sizeof text, "%.2g", value);
+  return strtod(text, NULL);
+}
+
+static void print_source(const po_uncertain *u, double unit, const char *name) {
+  if (strcmp(u->source, "noise") == 0)
+    printf("uncertain noise of the profile: ");
+  else
+    printf("uncertain %s %.6g+-%.6g: ", u->source, u->value, u->deviation);
+  if (!isnan(u->force))
+    printf("force +-%g %s\n", rounded(u->force * unit), name);
+  else if (isnan(u->below) || isnan(u->above))
+    printf("unknown, because the solve with the input %s by twice its uncertainty failed\n",
+           isnan(u->below) ? "less" : "more");
+  else
+    printf("no number, because the force is not linear there: it changes by %g %s with the input "
+           "less by twice its uncertainty, by %g with the input more\n",
+           rounded(u->below * unit), name, rounded(u->above * unit));
+}
+
+void po_print_uncertain(const po_result *result, double unit, const char *name) {
+  for (size_t k = 0; k < result->uncertain_count; ++k)
+    print_source(&result->uncertain[k], unit, name);
+  if (result->uncertain_count > 1 && !isnan(result->uncertainty))
+    printf("uncertain all together: force +-%g %s, the root of the sum of squares\n",
+           rounded(result->uncertainty * unit), name);
 }
 
 void po_print_physical(const po_given *given, const po_request *request, const po_result *o) {

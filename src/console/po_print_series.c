@@ -10,7 +10,6 @@
 #include "po_json_digest.h"
 #include "po_memory.h"
 #include "po_print.h"
-#include "po_print_physical.h"
 #include "po_si.h"
 #include "po_tables.h"
 

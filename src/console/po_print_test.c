@@ -1,10 +1,11 @@
-#include "po_print_test.h"
+#include "po_print.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include "po_path.h"
 #include "po_result_rows.h"
+#include "po_si.h"
 
 /* The factors of printed numbers, and what follows them: 1 and nothing, or SI units. */
 typedef struct {

@@ -1,4 +1,4 @@
-#include "po_print_theories.h"
+#include "po_print.h"
 
 #include <math.h>
 #include <stdio.h>
