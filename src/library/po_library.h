@@ -31,6 +31,10 @@ po_status po_library_suggest(const char *key);
  * Returned: the status for the caller of the library. */
 pulloff_status po_library_end(po_status status, pulloff_message *message);
 
+/* The same, after po_process_leave. */
+pulloff_status po_library_leave(const po_process_state *state, po_status status,
+                                pulloff_message *message);
+
 /* The texts of a scene, which stay those of the scene. It is in SI units if one of these is given.
  */
 po_given po_library_given(const pulloff_scene *scene);

@@ -201,20 +201,21 @@ pulloff_status pulloff_result_column(const pulloff_result *result, const char *p
   return po_library_end(PO_OK, message);
 }
 
+static po_status print(const json_t *document, char **text) {
+  po_text printed = {0};
+  const po_status status = po_json_print(document, &printed);
+  if (status)
+    po_text_clear(&printed);
+  *text = printed.data;
+  return status;
+}
+
 pulloff_status pulloff_result_json(const pulloff_result *result, char **text,
                                    pulloff_message *message) {
   *text = NULL;
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  po_text printed = {0};
-  status = po_json_print(result->document, &printed);
-  if (status)
-    po_text_clear(&printed);
-  *text = printed.data;
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : print(result->document, text), message);
 }
 
 void pulloff_free(char *text) {

@@ -31,6 +31,12 @@ pulloff_status po_library_end(po_status status, pulloff_message *message) {
   return (pulloff_status)status;
 }
 
+pulloff_status po_library_leave(const po_process_state *state, po_status status,
+                                pulloff_message *message) {
+  po_process_leave(state);
+  return po_library_end(status, message);
+}
+
 pulloff_status pulloff_scene_create(pulloff_scene **scene, pulloff_message *message) {
   po_message_clear();
   *scene = po_allocate(1, sizeof **scene);
@@ -129,12 +135,8 @@ static po_status set(pulloff_scene *scene, int key, const char *value) {
 pulloff_status pulloff_scene_set(pulloff_scene *scene, const char *key, const char *value,
                                  pulloff_message *message) {
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  status = set(scene, find_key(key), value);
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : set(scene, find_key(key), value), message);
 }
 
 /* Prints a number so that it is read back to the same bits. */
@@ -145,17 +147,18 @@ static void print_number(double value, char text[PO_NUMBER_LENGTH]) {
     po_number_print(value, text);
 }
 
+static po_status set_number(pulloff_scene *scene, int key, double value) {
+  char text[PO_NUMBER_LENGTH];
+  print_number(value, text);
+  return set(scene, key, text);
+}
+
 pulloff_status pulloff_scene_set_number(pulloff_scene *scene, const char *key, double value,
                                         pulloff_message *message) {
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  char text[PO_NUMBER_LENGTH];
-  print_number(value, text);
-  status = set(scene, find_key(key), text);
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : set_number(scene, find_key(key), value),
+                          message);
 }
 
 /* The texts of a scene with a further value for one key; key -1: none. */
@@ -216,12 +219,8 @@ static po_status get(const pulloff_scene *scene, int key, char *text, size_t siz
 pulloff_status pulloff_scene_get(const pulloff_scene *scene, const char *key, char *text,
                                  size_t size, pulloff_message *message) {
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  status = get(scene, find_key(key), text, size);
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : get(scene, find_key(key), text, size), message);
 }
 
 pulloff_units po_library_units(const po_request *request) {
@@ -269,12 +268,8 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
 pulloff_status pulloff_scene_set_physical(pulloff_scene *scene, const pulloff_physical *physical,
                                           pulloff_units *units, pulloff_message *message) {
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  status = set_physical(scene, physical, units);
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : set_physical(scene, physical, units), message);
 }
 
 static po_status get_units(const pulloff_scene *scene, pulloff_units *units) {
@@ -292,12 +287,8 @@ static po_status get_units(const pulloff_scene *scene, pulloff_units *units) {
 pulloff_status pulloff_scene_units(const pulloff_scene *scene, pulloff_units *units,
                                    pulloff_message *message) {
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  status = get_units(scene, units);
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : get_units(scene, units), message);
 }
 
 void pulloff_scene_set_stop(pulloff_scene *scene, const volatile sig_atomic_t *stop) {

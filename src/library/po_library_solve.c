@@ -40,12 +40,8 @@ pulloff_status pulloff_solve(const pulloff_scene *scene, pulloff_result **result
                              pulloff_message *message) {
   *result = NULL;
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  status = solve(scene, result);
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : solve(scene, result), message);
 }
 
 static po_status make_requests(const pulloff_scene *scene, const char *name, const double *values,
@@ -69,6 +65,8 @@ static po_status make_requests(const pulloff_scene *scene, const char *name, con
 
 static po_status follow(const pulloff_scene *scene, const char *key, const double *values,
                         size_t count, pulloff_result **results) {
+  if (!count)
+    return po_fail(PO_BAD_INPUT, "a series has 0 values: expected at least 1");
   po_request *requests = po_allocate(count, sizeof *requests);
   po_result *solved = po_allocate(count, sizeof *solved);
   po_status status =
@@ -96,13 +94,9 @@ pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const
   for (size_t k = 0; k < count; ++k)
     results[k] = NULL;
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  status = count ? follow(scene, key, values, count, results)
-                 : po_fail(PO_BAD_INPUT, "a series has 0 values: expected at least 1");
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : follow(scene, key, values, count, results),
+                          message);
 }
 
 /* Refuses an input outside the domain of a form. */
@@ -181,10 +175,7 @@ pulloff_status pulloff_theory(const char *form, const pulloff_scene *scene, doub
                               pulloff_result **result, pulloff_message *message) {
   *result = NULL;
   po_process_state state;
-  po_status status = po_process_enter(&state);
-  if (status)
-    return po_library_end(status, message);
-  status = evaluate(form, scene, alpha, at, result);
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  const po_status status = po_process_enter(&state);
+  return po_library_leave(&state, status ? status : evaluate(form, scene, alpha, at, result),
+                          message);
 }

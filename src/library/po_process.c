@@ -38,6 +38,7 @@ static void end_use(void) {
 po_status po_process_enter(po_process_state *state) {
   po_message_clear();
   po_no_memory_forget();
+  state->locale = (locale_t)0;
   const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0); /* allocates nothing */
   if (!plain)
     return po_fail(PO_NO_MEMORY, "out of memory for the locale C");
@@ -54,6 +55,8 @@ po_status po_process_enter(po_process_state *state) {
 }
 
 void po_process_leave(const po_process_state *state) {
+  if (!state->locale)
+    return;
   fesetenv(&state->floating_point);
   freelocale(uselocale(state->locale));
   end_use();

@@ -16,7 +16,7 @@ typedef struct {
 /* Turns off the error handler of GSL and limits OpenBLAS to one thread, unless another thread is
  * between enter and leave already; sets the locale and the floating-point environment of this
  * thread to those in which the program runs; forgets messages of earlier calls. Status:
- * PO_NO_MEMORY; then nothing has changed. */
+ * PO_NO_MEMORY; then nothing has changed, and po_process_leave does nothing. */
 po_status po_process_enter(po_process_state *state);
 
 /* Restores the state of the thread, and that of the process if no other thread needs it. */
