@@ -118,14 +118,10 @@ static double radius_rate(const jkr_curve *c, double a) {
 static po_status append(builder *b, po_path_point point) {
   if (b->count == b->curve->most)
     return po_fail(PO_TOO_MANY_POINTS, "the JKR curve has more than %zu points", b->curve->most);
-  if (b->count == b->room) {
-    const size_t room = b->room ? 2 * b->room : 1024;
-    po_path_point *moved = po_resize(b->point, room, sizeof *moved);
-    if (!moved)
-      return PO_NO_MEMORY;
-    b->point = moved;
-    b->room = room;
-  }
+  po_path_point *moved = po_grow(b->point, b->count, &b->room, sizeof *moved);
+  if (!moved)
+    return PO_NO_MEMORY;
+  b->point = moved;
   b->point[b->count++] = point;
   return PO_OK;
 }

@@ -117,14 +117,10 @@ static void end_step(walk *w, po_path_state until) {
 
 static po_status begin_step(walk *w, po_path_state preload, bool jumped) {
   po_staircase *s = w->staircase;
-  if (s->count == w->step_room) {
-    const size_t room = w->step_room ? 2 * w->step_room : 8;
-    po_step *moved = po_resize(s->step, room, sizeof *moved);
-    if (!moved)
-      return PO_NO_MEMORY;
-    s->step = moved;
-    w->step_room = room;
-  }
+  po_step *moved = po_grow(s->step, s->count, &w->step_room, sizeof *moved);
+  if (!moved)
+    return PO_NO_MEMORY;
+  s->step = moved;
   s->step[s->count++] = (po_step){.preload = preload,
                                   .jumped = jumped,
                                   .open = true,
