@@ -1,7 +1,15 @@
 /* The rows of the diagnostics. */
+#include <float.h>
+#include <math.h>
+
+#include "po_elementary.h"
 #include "po_result.h"
 #include "po_result_rows.h"
 #include "po_row_cells.h"
+
+double po_digits_left(double change) {
+  return isnan(change) ? change : -po_log10(fmax(fabs(change), 0.5 * DBL_EPSILON));
+}
 
 // clang-format off
 static const char *const KEPT[] = {[PO_KEPT_START] = "start", [PO_KEPT_FOLD] = "fold",
