@@ -1,8 +1,8 @@
-#include "po_beside.h"
-
+/* The theories beside a result. */
 #include <math.h>
 #include <stdio.h>
 
+#include "po_companion_jkr.h"
 #include "po_elementary.h"
 #include "po_estimates.h"
 #include "po_jkr_path.h"

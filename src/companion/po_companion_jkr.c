@@ -1,7 +1,6 @@
 #include "po_companion_jkr.h"
 
 #include "po_abel.h"
-#include "po_beside.h"
 #include "po_guduru.h"
 #include "po_jkr_path.h"
 #include "po_jkr_profile.h"

@@ -1,7 +1,7 @@
 /* The theories beside a result: deviations and assumptions, for results made up here. */
 #include <math.h>
 
-#include "po_beside.h"
+#include "po_companion_jkr.h"
 #include "run.h"
 
 /* A result with the force 1.6 +- 0.01 and a contact of two wavelengths and a half. */
