@@ -12,7 +12,6 @@
 #include "po_range.h"
 #include "po_scene_options.h"
 #include "po_series.h"
-#include "po_series_folds.h"
 #include "po_use.h"
 #include "po_verbs.h"
 

@@ -2,8 +2,6 @@
 
 #include <stdlib.h>
 
-#include "po_memory.h"
-#include "po_observe_parts.h"
 #include "po_series_minima.h"
 #include "po_series_scenes.h"
 
@@ -15,66 +13,33 @@
  * = 5 is the deepest for mu = 2.9 to 3.8 and does not exist at mu = 1.4. */
 static const double CANDIDATE_DEPTH = 0.3;
 
-static void free_points(po_checkpoint *a) {
-  for (size_t k = 0; k < a->count; ++k)
-    po_solution_free(&a->minima[k].point);
-  a->count = 0;
-}
-
-static void begin(void *data, double tolerance) {
-  po_checkpoint *a = data;
-  free_points(a);
-  a->tolerance = tolerance;
-}
-
-static bool keep(void *data, const po_branch_point *point, double margin) {
-  po_checkpoint *a = data;
-  if (!point->solution || point->kind != PO_POINT_LOAD_MIN || !(point->load < 0.0))
-    return true;
-  po_checkpoint_minimum *minima = po_grow(a->minima, a->count, &a->room, sizeof *minima);
-  if (!minima)
-    return false;
-  a->minima = minima;
-  po_checkpoint_minimum *m = &minima[a->count++];
-  *m = (po_checkpoint_minimum){.approach = point->approach, .load = point->load, .margin = margin};
-  if (po_solution_allocate(&m->point, point->solution->n))
-    return false;
-  po_solution_copy(point->solution, &m->point);
-  return true;
-}
-
 static int by_depth(const void *left, const void *right) {
-  const double a = ((const po_checkpoint_minimum *)left)->load;
-  const double b = ((const po_checkpoint_minimum *)right)->load;
+  const double a = ((const po_kept_point *)left)->load;
+  const double b = ((const po_kept_point *)right)->load;
   return (a > b) - (a < b);
 }
 
 /* Traces a scene. Returned: its result; the checkpoint, with the minima in the order of their
- * depth, the pull-off first, to be cleared with checkpoint_clear. Status: PO_NO_MEMORY,
+ * depth, the pull-off first, to be cleared with po_kept_points_clear. Status: PO_NO_MEMORY,
  * PO_INTERRUPTED. A trace that fails gives a checkpoint that is not usable. */
 static po_status checkpoint_trace(const po_request *request, size_t index, po_result *result,
                                   po_checkpoint *a) {
-  *a = (po_checkpoint){.index = index};
-  const po_keeper keeper = {begin, keep, a, true};
-  const po_status status = po_observe_kept(request, &keeper, result);
+  *a = (po_checkpoint){.index = index, .kept = {.minima = true}};
+  const po_status status = po_series_trace(request, &a->kept, result);
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;
-  a->usable = !status && a->count > 0;
+  a->usable = !status && a->kept.count > 0;
   if (!a->usable) {
-    free_points(a);
+    po_kept_points_clear(&a->kept);
     return PO_OK;
   }
-  qsort(a->minima, a->count, sizeof *a->minima, by_depth);
-  a->deepest = a->minima[0].load;
-  while (a->candidates < a->count && a->minima[a->candidates].load <= CANDIDATE_DEPTH * a->deepest)
+  const po_kept_point *minima = a->kept.points;
+  qsort(a->kept.points, a->kept.count, sizeof *a->kept.points, by_depth);
+  a->deepest = minima[0].load;
+  while (a->candidates < a->kept.count &&
+         minima[a->candidates].load <= CANDIDATE_DEPTH * a->deepest)
     ++a->candidates;
   return PO_OK;
-}
-
-static void checkpoint_clear(po_checkpoint *a) {
-  free_points(a);
-  free(a->minima);
-  *a = (po_checkpoint){0};
 }
 
 static po_status trace(const po_series_scenes *l, size_t index, po_checkpoint *checkpoint) {
@@ -101,7 +66,7 @@ static po_status trace_inaccurate(const po_series_scenes *l, size_t first, size_
       continue;
     po_checkpoint unused;
     status = trace(l, k, &unused);
-    checkpoint_clear(&unused);
+    po_kept_points_clear(&unused.kept);
   }
   return status;
 }
@@ -122,7 +87,7 @@ static po_status solve_between(const po_series_scenes *l, po_checkpoint *from, p
     status = solve_between(l, from, &middle);
   if (!status)
     status = solve_between(l, &middle, to);
-  checkpoint_clear(&middle);
+  po_kept_points_clear(&middle.kept);
   return status;
 }
 
@@ -141,11 +106,11 @@ static po_status observe(const po_request *requests, size_t count, size_t checkp
     status = trace(&l, index, &to);
     if (!status)
       status = solve_between(&l, &from, &to);
-    checkpoint_clear(&from);
+    po_kept_points_clear(&from.kept);
     from = to;
     to = (po_checkpoint){0};
   }
-  checkpoint_clear(&from);
+  po_kept_points_clear(&from.kept);
   return status;
 }
 

@@ -1,50 +1,13 @@
-#include "po_series_folds.h"
-
+/* The folds of the first scene of a series, followed along it. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "po_estimate.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
+#include "po_series.h"
 #include "po_series_scenes.h"
 #include "po_watch.h"
-
-/* The folds of a trace as points on its panels. */
-typedef struct {
-  po_solution *point;
-  size_t count, room;
-  double tolerance; /* the tolerance with which the trace met the requested one */
-} folds;
-
-static void free_points(folds *f) {
-  for (size_t k = 0; k < f->count; ++k)
-    po_solution_free(&f->point[k]);
-  f->count = 0;
-}
-
-static void begin(void *data, double tolerance) {
-  folds *f = data;
-  free_points(f);
-  f->tolerance = tolerance;
-}
-
-static bool keep(void *data, const po_branch_point *p, double margin) {
-  folds *f = data;
-  (void)margin;
-  if (!p->solution || (p->kind != PO_POINT_APPROACH_MAX && p->kind != PO_POINT_APPROACH_MIN))
-    return true;
-  po_solution *point = po_grow(f->point, f->count, &f->room, sizeof *point);
-  if (!point)
-    return false;
-  f->point = point;
-  po_solution *kept = &point[f->count++];
-  *kept = (po_solution){0};
-  if (po_solution_allocate(kept, p->solution->n))
-    return false;
-  po_solution_copy(p->solution, kept);
-  return true;
-}
 
 /* Records the special point at which the follower is. Returned: false if the contact reaches the
  * end of the core of the surface. */
@@ -120,14 +83,14 @@ static po_status allocate_folds(const po_series_scenes *l) {
   return PO_OK;
 }
 
-static po_status follow_all(const po_series_scenes *l, const folds *f) {
+static po_status follow_all(const po_series_scenes *l, const po_kept_points *f) {
   po_follower *follower = NULL;
   po_series_work before = {0};
   po_status status = allocate_folds(l);
   if (!status)
     status = po_series_follower(l, 0, f->tolerance, &follower);
   for (size_t j = 0; j < f->count && !status; ++j)
-    status = follow(l, follower, &f->point[j], j, &before);
+    status = follow(l, follower, &f->points[j].point, j, &before);
   po_follow_destroy(follower);
   return status;
 }
@@ -143,16 +106,14 @@ static po_status observe(const po_request *requests, size_t count, po_result *re
                      "folds are not followed from scene %zu to the next: expected both "
                      "wavy or both smooth, both bounded or both unbounded",
                      k + 1);
-  folds f = {0};
-  const po_keeper keeper = {begin, keep, &f, false};
-  po_status status = po_observe_kept(&requests[0], &keeper, &results[0]);
+  po_kept_points f = {.minima = false};
+  po_status status = po_series_trace(&requests[0], &f, &results[0]);
   if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)
     status = PO_OK;
   /* the numbers differ for a rigid scene, and for one whose curve begins after the first fold */
   if (!status && !results[0].status && f.count == results[0].fold_count)
     status = follow_all(&l, &f);
-  free_points(&f);
-  free(f.point);
+  po_kept_points_clear(&f);
   return status;
 }
 

@@ -15,7 +15,7 @@ static const double SAME_LOAD = 10.0, AGREEING_APPROACH = 1e-2;
 
 /* A minimum that was followed from one checkpoint towards the other. */
 typedef struct {
-  const po_checkpoint_minimum *from, *arrived; /* in both traces; arrived NULL: not in the second */
+  const po_kept_point *from, *arrived; /* in both traces; arrived NULL: not in the second */
   double load_at_end; /* its load where it ended between the checkpoints; NAN: it did not end */
   double moved;       /* how far it moved up to there, see moved_to; INFINITY: it did not merge */
 } followed;
@@ -88,15 +88,15 @@ static double record_minimum(interval *s, size_t index) {
 
 /* Returned: the minimum of a checkpoint at which the follower has arrived; NULL if the trace did
  * not find it. */
-static const po_checkpoint_minimum *find_arrived(const interval *s, const po_checkpoint *at) {
+static const po_kept_point *find_arrived(const interval *s, const po_checkpoint *at) {
   const po_branch_point p = po_follow_point(s->follower, false);
-  const po_checkpoint_minimum *best = NULL;
+  const po_kept_point *best = NULL;
   double nearest = AGREEING_APPROACH * (1.0 + fabs(p.approach));
-  for (size_t k = 0; k < at->count; ++k) {
-    const double apart = fabs(at->minima[k].approach - p.approach);
-    if (fabs(at->minima[k].load - p.load) < load_tolerance(s, p.load) && apart < nearest) {
+  for (size_t k = 0; k < at->kept.count; ++k) {
+    const double apart = fabs(at->kept.points[k].approach - p.approach);
+    if (fabs(at->kept.points[k].load - p.load) < load_tolerance(s, p.load) && apart < nearest) {
       nearest = apart;
-      best = &at->minima[k];
+      best = &at->kept.points[k];
     }
   }
   return best;
@@ -104,8 +104,7 @@ static const po_checkpoint_minimum *find_arrived(const interval *s, const po_che
 
 /* Returned: how far a minimum has moved from the checkpoint, in the approach or the load, whichever
  * the preload has. */
-static double moved_to(const interval *s, const po_checkpoint_minimum *m,
-                       const po_branch_point *end) {
+static double moved_to(const interval *s, const po_kept_point *m, const po_branch_point *end) {
   const po_preload preload = po_request_preload(&s->l->requests[s->from->index]);
   const double approach = isnan(preload.approach) ? 0.0 : fabs(end->approach - m->approach);
   const double load = isnan(preload.load) ? 0.0 : fabs(end->load - m->load);
@@ -114,7 +113,7 @@ static double moved_to(const interval *s, const po_checkpoint_minimum *m,
 
 /* Follows a minimum of one checkpoint towards the other. Status: PO_NO_MEMORY, PO_INTERRUPTED; a
  * minimum that ends between the checkpoints is not a failure. */
-static po_status follow(interval *s, const po_checkpoint_minimum *m, bool forward) {
+static po_status follow(interval *s, const po_kept_point *m, bool forward) {
   const po_checkpoint *from = forward ? s->from : s->to;
   const size_t row = s->rows++, steps = s->inside + 1;
   s->row[row] = (followed){.from = m, .load_at_end = NAN};
@@ -211,7 +210,7 @@ static bool agrees(const interval *s) {
   return !contradicts(s);
 }
 
-static bool has_arrived(const interval *s, const po_checkpoint_minimum *m) {
+static bool has_arrived(const interval *s, const po_kept_point *m) {
   bool has = false;
   for (size_t row = 0; row < s->rows; ++row)
     has = has || s->row[row].arrived == m;
@@ -221,9 +220,9 @@ static bool has_arrived(const interval *s, const po_checkpoint_minimum *m) {
 /* Follows a candidate of one checkpoint to the other, unless it was met from there. */
 static po_status follow_candidate(interval *s, size_t k, bool forward) {
   const po_checkpoint *from = forward ? s->from : s->to;
-  if (k >= from->candidates || has_arrived(s, &from->minima[k]))
+  if (k >= from->candidates || has_arrived(s, &from->kept.points[k]))
     return PO_OK;
-  return follow(s, &from->minima[k], forward);
+  return follow(s, &from->kept.points[k], forward);
 }
 
 /* Follows the candidates of both checkpoints, the deepest ones first. If these contradict the
@@ -253,8 +252,8 @@ po_status po_series_follow_minima(const po_series_scenes *scenes, const po_check
   s.row = po_allocate(most, sizeof *s.row);
   po_status status = s.load && s.row ? PO_OK : PO_NO_MEMORY;
   if (!status)
-    status =
-        po_series_follower(scenes, from->index, fmin(from->tolerance, to->tolerance), &s.follower);
+    status = po_series_follower(scenes, from->index, fmin(from->kept.tolerance, to->kept.tolerance),
+                                &s.follower);
   if (!status)
     status = follow_all(&s);
   *settled = !status && agrees(&s);

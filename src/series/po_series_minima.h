@@ -5,20 +5,12 @@
 
 #include "po_series_scenes.h"
 
-typedef struct {
-  po_solution point;
-  double approach, load;
-  double margin; /* margin of the stopping rule at this point, see po_reader.h */
-} po_checkpoint_minimum;
-
 /* A scene of a series that is traced completely, with the minima of its load. */
 typedef struct {
-  size_t index;     /* index of its scene in the series */
-  bool usable;      /* whether the minima can be followed: the scene was solved, on panels */
-  double tolerance; /* the tolerance with which the trace met the requested one */
-  double deepest;   /* load of the pull-off, pi w R */
-  po_checkpoint_minimum *minima; /* all minima of the trace, in the order of their depth */
-  size_t count, room;
+  size_t index;        /* index of its scene in the series */
+  bool usable;         /* whether the minima can be followed: the scene was solved, on panels */
+  double deepest;      /* load of the pull-off, pi w R */
+  po_kept_points kept; /* all minima of the trace, in the order of their depth */
   size_t candidates; /* the number of minima, the deepest ones, that may be the pull-off of a scene
                         before the next checkpoint */
 } po_checkpoint;

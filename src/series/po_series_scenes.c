@@ -56,6 +56,48 @@ void po_series_finish(po_request *solved, size_t count, po_result *results) {
   free(solved);
 }
 
+static void free_points(po_kept_points *kept) {
+  for (size_t k = 0; k < kept->count; ++k)
+    po_solution_free(&kept->points[k].point);
+  kept->count = 0;
+}
+
+static void begin(void *data, double tolerance) {
+  po_kept_points *kept = data;
+  free_points(kept);
+  kept->tolerance = tolerance;
+}
+
+static bool keep(void *data, const po_branch_point *p, double margin) {
+  po_kept_points *kept = data;
+  const bool wanted = kept->minima
+                          ? p->kind == PO_POINT_LOAD_MIN && p->load < 0.0
+                          : p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN;
+  if (!p->solution || !wanted)
+    return true;
+  po_kept_point *points = po_grow(kept->points, kept->count, &kept->room, sizeof *points);
+  if (!points)
+    return false;
+  kept->points = points;
+  po_kept_point *new = &points[kept->count++];
+  *new = (po_kept_point){.approach = p->approach, .load = p->load, .margin = margin};
+  if (po_solution_allocate(&new->point, p->solution->n))
+    return false;
+  po_solution_copy(p->solution, &new->point);
+  return true;
+}
+
+po_status po_series_trace(const po_request *request, po_kept_points *kept, po_result *result) {
+  const po_keeper keeper = {begin, keep, kept, kept->minima};
+  return po_observe_kept(request, &keeper, result);
+}
+
+void po_kept_points_clear(po_kept_points *kept) {
+  free_points(kept);
+  free(kept->points);
+  *kept = (po_kept_points){0};
+}
+
 static double domain_of(const po_scene *scene) {
   return po_observe_domain(scene, po_surface_core(scene, NAN));
 }

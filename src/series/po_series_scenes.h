@@ -14,6 +14,26 @@ typedef struct {
   size_t count;
 } po_series_scenes;
 
+/* A special point of a trace on its panels. */
+typedef struct {
+  po_solution point;
+  double approach, load;
+  double margin; /* of the stopping rule at this point, see po_reader.h */
+} po_kept_point;
+
+/* The tensile minima of the load of a trace, or its folds. */
+typedef struct {
+  bool minima;
+  po_kept_point *points;
+  size_t count, room;
+  double tolerance; /* with which the trace met the requested one */
+} po_kept_points;
+
+/* Solves a request and keeps the points of its trace, to be cleared whatever the status. Given:
+ * kept, empty but for `minima`. Status: as po_observe_kept. */
+po_status po_series_trace(const po_request *request, po_kept_points *kept, po_result *result);
+void po_kept_points_clear(po_kept_points *kept);
+
 /* The requests in the units of their solves (po_load_unit.h), to be given to po_series_finish,
  * which converts the results and frees them; NULL if memory runs out. */
 po_request *po_series_requests(const po_request *requests, size_t count);
