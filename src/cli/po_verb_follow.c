@@ -12,7 +12,6 @@
 #include "po_range.h"
 #include "po_scene_options.h"
 #include "po_series.h"
-#include "po_use.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -79,7 +78,7 @@ typedef struct {
 } follow_line;
 
 static po_status take_varied(const char *name, void *varied) {
-  char flag[PO_FLAG_LENGTH_OF_NAME];
+  char flag[PO_FLAG_LENGTH];
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     po_key_flag(key, flag);
     if (!po_key_is_continuous(key) || !(po_key_row_of(key)->verbs & PO_FOR_FOLLOW) ||
@@ -156,7 +155,7 @@ static po_status check_line(const follow_line *line) {
                    : isnan(range->from) ? "from"
                                         : "to");
   if (line->scene.given.text[line->varied]) {
-    char flag[PO_FLAG_LENGTH_OF_NAME];
+    char flag[PO_FLAG_LENGTH];
     po_key_flag(line->varied, flag);
     return po_fail(PO_BAD_INPUT,
                    "--%s is given, but its value varies (--key): expected only one of the two",
@@ -248,7 +247,7 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
   status = po_no_memory_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
-  char name[PO_FLAG_LENGTH_OF_NAME];
+  char name[PO_FLAG_LENGTH];
   po_key_flag(line->varied, name);
   const po_printed_series series = {name, line->range.count, requests, scenes, results};
   if (!status)

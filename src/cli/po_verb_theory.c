@@ -7,7 +7,6 @@
 #include "po_json_digest.h"
 #include "po_print.h"
 #include "po_scene_options.h"
-#include "po_use.h"
 #include "po_verbs.h"
 
 static const char HELP[] =

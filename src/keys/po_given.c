@@ -16,12 +16,10 @@ static bool are_options(const po_given *given) {
 }
 
 static void write_name(const po_given *given, int key, char name[PO_KEY_NAME_LENGTH]) {
-  const bool wave = are_options(given) && key == PO_KEY_WAVES;
+  char flag[PO_FLAG_LENGTH];
+  po_key_flag(key, flag);
   snprintf(name, PO_KEY_NAME_LENGTH, "%s%s", given->prefix,
-           wave ? "wave" : po_key_name((po_key)key));
-  for (char *c = name; are_options(given) && *c; ++c)
-    if (*c == '_')
-      *c = '-';
+           are_options(given) ? flag : po_key_name((po_key)key));
 }
 
 void po_given_name(const po_given *given, po_key key, char name[PO_KEY_NAME_LENGTH]) {
@@ -294,6 +292,26 @@ bool po_given_is_general(const po_given *given, const po_form *form, const po_sc
   return given->text[PO_KEY_LAW] || given->text[PO_KEY_PROFILE] ||
          given->text[PO_KEY_PROFILE_FILE] || given->text[PO_KEY_WAVES] ||
          po_form_is_general(form, scene);
+}
+
+po_status po_use_check(const char *what, const po_use *uses, size_t count) {
+  const po_use *idle = NULL;
+  size_t taken = 0, named = 0;
+  for (size_t i = 0; i < count; ++i) {
+    if (uses[i].given && !uses[i].taken && !idle)
+      idle = &uses[i];
+    taken += uses[i].taken;
+  }
+  char names[1000] = "";
+  for (size_t i = 0; idle && i < count; ++i)
+    if (uses[i].taken) {
+      const char *before = named == 0 ? "only " : named + 1 < taken ? ", " : " or ";
+      snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", before, uses[i].name);
+      ++named;
+    }
+  return idle ? po_fail(PO_BAD_INPUT, "%s has no effect on %s: expected %s", idle->name, what,
+                        *names ? names : "it to be left out")
+              : PO_OK;
 }
 
 /* The part of a scene to which a key belongs, as in po_form.takes; 0: no form depends on it. */

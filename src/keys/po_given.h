@@ -6,7 +6,6 @@
 
 #include "po_forms.h"
 #include "po_input.h"
-#include "po_use.h"
 
 enum { PO_KEY_NAME_LENGTH = 48 };
 
@@ -44,6 +43,19 @@ po_status po_given_check_waves(po_given *given);
 /* Whether profile, waves or law are given, or the form takes the scene so: the closed forms of any
  * profile apply. */
 bool po_given_is_general(const po_given *given, const po_form *form, const po_scene *scene);
+
+/* -- Options and keys that have no effect. If one were ignored silently, the user would misread the
+ * result. -- */
+
+/* An option or a key, whether it was given, and whether it has an effect in the present use. */
+typedef struct {
+  char name[48]; /* with the dashes of an option */
+  bool given, taken;
+} po_use;
+
+/* Refuses the first one that was given although it has no effect on `what`, and names those that
+ * have an effect. Status: PO_BAD_INPUT, PO_OK. */
+po_status po_use_check(const char *what, const po_use *uses, size_t count);
 
 /* Refuses keys on which a closed form does not depend. Given: whether alpha is given in place of
  * what it is computed of; other inputs of the form. Status: PO_BAD_INPUT. */

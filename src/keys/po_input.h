@@ -67,6 +67,10 @@ int po_given_key(const char *name);
 /* Returned: the name of a key, e.g. "tabor" or "outer_radius". */
 const char *po_key_name(po_key key);
 
+/* The name of the option of a key: its name with dashes, in the singular for the waves. */
+enum { PO_FLAG_LENGTH = 32 };
+void po_key_flag(int key, char flag[PO_FLAG_LENGTH]);
+
 /* Returned: the accepted values, e.g. "a finite number > 0", as messages print them after "expected
  * ". */
 const char *po_key_expected(po_key key);

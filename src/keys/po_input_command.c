@@ -97,8 +97,15 @@ static bool print_coupling(const po_request *request, char text[PO_KEY_TEXT_LENG
          po_scene_tabor_of_coupling(coupling, request->scene.radius) == request->scene.tabor;
 }
 
+void po_key_flag(int key, char flag[PO_FLAG_LENGTH]) {
+  snprintf(flag, PO_FLAG_LENGTH, "%s", key == PO_KEY_WAVES ? "wave" : po_key_name((po_key)key));
+  for (char *c = flag; *c; ++c)
+    if (*c == '_')
+      *c = '-';
+}
+
 static void add_option(po_text *command, const po_request *request, po_key key, bool identity) {
-  char value[PO_KEY_TEXT_LENGTH], flag[PO_NUMBER_LENGTH];
+  char value[PO_KEY_TEXT_LENGTH], flag[PO_FLAG_LENGTH];
   if (key == PO_KEY_TABOR && !identity && print_coupling(request, value))
     key = PO_KEY_COUPLING;
   else
@@ -107,10 +114,7 @@ static void add_option(po_text *command, const po_request *request, po_key key, 
     add_waves(command, value);
     return;
   }
-  snprintf(flag, sizeof flag, "%s", po_key_name(key));
-  for (char *c = flag; *c; ++c)
-    if (*c == '_')
-      *c = '-';
+  po_key_flag((int)key, flag);
   po_text_add(command, " --%s ", flag);
   if (key == PO_KEY_PROFILE_FILE)
     po_text_add_word(command, identity ? po_profile_digest(&request->scene.profile) : value);

@@ -43,21 +43,13 @@ static int next(const po_options *options, const struct option *table) {
   }
 }
 
-void po_key_flag(int key, char flag[PO_FLAG_LENGTH_OF_NAME]) {
-  snprintf(flag, PO_FLAG_LENGTH_OF_NAME, "%s",
-           key == PO_KEY_WAVES ? "wave" : po_key_name((po_key)key));
-  for (char *c = flag; *c; ++c)
-    if (*c == '_')
-      *c = '-';
-}
-
 _Static_assert(PO_KEY_ALL + 32 < PO_MOST_OPTIONS,
                "a verb has at most 30 options of its own, and --help");
 
 /* Appends the options of the keys of a verb (PO_FOR_...) to a table of `count` rows. Returned: the
  * number of rows. */
 static size_t add_key_options(unsigned verb, struct option table[PO_MOST_OPTIONS], size_t count) {
-  static char names[PO_KEY_ALL][PO_FLAG_LENGTH_OF_NAME];
+  static char names[PO_KEY_ALL][PO_FLAG_LENGTH];
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     if (!(po_key_row_of(key)->verbs & verb))
       continue;
@@ -97,7 +89,7 @@ static void add_options_of(unsigned verb, po_key_owner first, po_key_owner last,
     const po_key_row *row = po_key_row_of(key);
     if (!(row->verbs & verb) || row->owner < first || row->owner > last)
       continue;
-    char flag[PO_FLAG_LENGTH_OF_NAME], option[64];
+    char flag[PO_FLAG_LENGTH], option[64];
     po_key_flag(key, flag);
     const size_t length = (size_t)snprintf(option, sizeof option, "--%s %s", flag, row->value);
     const bool fits = used && used + 2 + length <= WIDTH;
@@ -113,7 +105,7 @@ static void add_options_of(unsigned verb, po_key_owner first, po_key_owner last,
 void po_options_add_varying(po_text *names) {
   for (int key = 0, named = 0; key < PO_KEY_ALL; ++key)
     if (po_key_is_continuous(key) && po_key_row_of(key)->verbs & PO_FOR_FOLLOW) {
-      char flag[PO_FLAG_LENGTH_OF_NAME];
+      char flag[PO_FLAG_LENGTH];
       po_key_flag(key, flag);
       po_text_add(names, "%s%s%s", named++ ? ", " : "",
                   key == PO_KEY_MODULUS_PA ? "or in SI units " : "", flag);

@@ -11,7 +11,7 @@
 #include "po_status.h"
 #include "po_text.h"
 
-enum { PO_MOST_OPTIONS = 100, PO_FLAG_LENGTH_OF_NAME = 32 };
+enum { PO_MOST_OPTIONS = 100 };
 
 /* Exit codes of the program. */
 enum {
@@ -96,8 +96,5 @@ int po_options_end(po_status status);
 
 /* Appends the names of the options of the keys that a series may vary, with commas between. */
 void po_options_add_varying(po_text *names);
-
-/* The name of the option of a key: its name with dashes, in the singular for the waves. */
-void po_key_flag(int key, char flag[PO_FLAG_LENGTH_OF_NAME]);
 
 #endif
