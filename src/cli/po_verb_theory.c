@@ -142,73 +142,67 @@ static po_status complete(po_theory_line *l, const po_form *form) {
   return check_values(l, form);
 }
 
-static const char *unit_of(const char *key) {
-  static const char *const UNITS[][2] = {
-      {"_m", "m"}, {"_n", "N"}, {"_j_per_m2", "J/m^2"}, {"_pa", "Pa"}};
-  const size_t length = strlen(key);
-  for (size_t i = 0; i < sizeof UNITS / sizeof *UNITS; ++i) {
-    const size_t suffix = strlen(UNITS[i][0]);
-    if (length > suffix && strcmp(key + length - suffix, UNITS[i][0]) == 0)
-      return UNITS[i][1];
-  }
-  return "";
-}
-
-/* An infinite value, such as the crest radius of a smooth sphere, is null in JSON and - here. */
-static void print_number(const char *key, const json_t *value, const char *unit) {
-  if (json_is_null(value))
-    printf("%-34s -\n", key);
-  else
-    printf("%-34s %.12g%s%s\n", key, json_number_value(value), *unit ? " " : "", unit);
+/* The value of a result in SI units: its number, key and unit. Returned: false if it has none. */
+static bool in_si(const po_theory_line *l, const po_form_value *item, double *value, char key[80],
+                  const char **unit) {
+  static const struct {
+    const char *suffix, *text;
+  } UNITS[] = {{"", ""}, {"m", "m"}, {"n", "N"}, {"j_per_m2", "J/m^2"}, {"pa", "Pa"}};
+  const po_units *u = &l->request.units;
+  const double size[] = {1, u->length, u->force, u->work, u->tension};
+  snprintf(key, 80, "%s_%s", item->name, UNITS[item->unit].suffix);
+  *unit = UNITS[item->unit].text;
+  *value = item->value * size[item->unit];
+  return l->request.in_si && item->unit != PO_FORM_PURE;
 }
 
 /* The document of the results, without those in SI units. Returned: NULL if memory runs out. */
-static json_t *document_of(const char *name, json_t *out) {
+static json_t *document_of(const char *name, const po_form_values *values) {
   json_t *document =
       PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(name)});
-  po_json_set_all(&document, json_incref(out));
+  for (size_t i = 0; i < values->count; ++i)
+    po_json_set(&document, values->items[i].name, po_json_number(values->items[i].value));
   po_json_seal(&document);
   return document;
 }
 
-static po_status print_text(const po_theory_line *l, const char *name, json_t *out, json_t *si) {
-  const char *key;
-  json_t *value;
-  if (si)
-    po_print_physical_input(&l->options.given);
-  json_object_foreach(out, key, value) {
-    print_number(key, value, "");
-  }
-  json_object_foreach(si, key, value) {
-    print_number(key, value, unit_of(key));
-  }
-  return po_print_digest(document_of(name, out));
+/* An infinite value, such as the crest radius of a smooth sphere, is null in JSON and - here. */
+static void print_number(const char *key, double value, const char *unit) {
+  if (isfinite(value))
+    printf("%-34s %.12g%s%s\n", key, value, *unit ? " " : "", unit);
+  else
+    printf("%-34s -\n", key);
 }
 
-static po_status print_json(const po_theory_line *l, const char *name, json_t *out, json_t *si) {
-  json_t *document = document_of(name, out);
+static po_status print_text(const po_theory_line *l, const char *name,
+                            const po_form_values *values) {
+  double value;
+  char key[80];
+  const char *unit;
+  if (l->request.in_si)
+    po_print_physical_input(&l->options.given);
+  for (size_t i = 0; i < values->count; ++i)
+    print_number(values->items[i].name, values->items[i].value, "");
+  for (size_t i = 0; i < values->count; ++i)
+    if (in_si(l, &values->items[i], &value, key, &unit))
+      print_number(key, value, unit);
+  return po_print_digest(document_of(name, values));
+}
+
+static po_status print_json(const po_theory_line *l, const char *name,
+                            const po_form_values *values) {
+  double value;
+  char key[80];
+  const char *unit;
+  json_t *document = document_of(name, values);
   if (l->request.in_si) {
     json_t *physical = po_json_physical_input(&l->options.given, &l->request.units);
-    po_json_set_all(&physical, json_incref(si));
+    for (size_t i = 0; i < values->count; ++i)
+      if (in_si(l, &values->items[i], &value, key, &unit))
+        po_json_set(&physical, key, po_json_number(value));
     po_json_set(&document, "physical", physical);
   }
   return po_print_document(document);
-}
-
-/* The results by name, and those that have a unit also in SI units. */
-static void fill(const po_theory_line *l, const po_form_values *values, json_t **out, json_t **si) {
-  static const char *const SUFFIXES[] = {"", "m", "n", "j_per_m2", "pa"};
-  const po_units *u = &l->request.units;
-  const double size[] = {1, u->length, u->force, u->work, u->tension};
-  for (size_t i = 0; i < values->count; ++i) {
-    const po_form_value *item = &values->items[i];
-    po_json_set(out, item->name, po_json_number(item->value));
-    if (!l->request.in_si || item->unit == PO_FORM_PURE)
-      continue;
-    char name[80];
-    snprintf(name, sizeof name, "%s_%s", item->name, SUFFIXES[item->unit]);
-    po_json_set(si, name, po_json_number(item->value * size[item->unit]));
-  }
 }
 
 static po_status print(const po_theory_line *l, const po_form *form) {
@@ -219,15 +213,7 @@ static po_status print(const po_theory_line *l, const po_form *form) {
   const po_status status = po_form_evaluate(form, &input, &values);
   if (status)
     return status;
-  json_t *out = po_json_empty_object();
-  json_t *si = l->request.in_si ? po_json_empty_object() : NULL;
-  fill(l, &values, &out, &si);
-  po_status printed = PO_NO_MEMORY;
-  if (out && (si || !l->request.in_si))
-    printed = l->json ? print_json(l, form->name, out, si) : print_text(l, form->name, out, si);
-  json_decref(out);
-  json_decref(si);
-  return printed;
+  return l->json ? print_json(l, form->name, &values) : print_text(l, form->name, &values);
 }
 
 int po_verb_theory(int argc, char **argv) {

@@ -8,29 +8,12 @@
 #include "po_quote.h"
 #include "po_suggest.h"
 
+#define VERB(name, summary) {#name, po_verb_##name, summary},
 static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
   const char *summary;
-} VERBS[] = {
-    {"solve", po_verb_solve, "solve one scene"},
-    {"compare", po_verb_compare, "compare the pull-off force of one scene with every theory"},
-    {"follow", po_verb_follow,
-     "compute the pull-off of a series of scenes in which one parameter varies"},
-    {"theory", po_verb_theory, "evaluate a closed form, of the paper or of any profile"},
-    {"plot", po_verb_plot, "plot one scene or the pull-off forces of a case"},
-    {"list", po_verb_list, "list the cases or the reference tables"},
-    {"plan", po_verb_plan, "print what would be computed for a case, and why"},
-    {"run", po_verb_run, "solve the points of cases and write their records"},
-    {"merge", po_verb_merge, "combine the shards of a run"},
-    {"verify", po_verb_verify,
-     "compare the results of cases with references and print the verdicts"},
-    {"explain", po_verb_explain, "explain the checks that are not within their tolerance"},
-    {"bless", po_verb_bless, "accept the values of a case as its pins"},
-    {"conform", po_verb_conform, "test whether an external solver follows the protocol"},
-    {"seal", po_verb_seal, "make reference tables of CSV files"},
-    {"report", po_verb_report, "write the report of a run"},
-};
+} VERBS[] = {PO_VERBS(VERB)};
 
 #define VERB_NAMES                                                                                 \
   "solve, compare, follow, theory, plot, list, plan, run, merge, verify, explain, bless, "         \

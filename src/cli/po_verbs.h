@@ -6,20 +6,26 @@
 /* Reads the command line of the program (argv[1] is the verb) and runs the verb. */
 int po_verbs_run(int argc, char **argv);
 
-int po_verb_solve(int argc, char **argv);
-int po_verb_compare(int argc, char **argv);
-int po_verb_follow(int argc, char **argv);
-int po_verb_theory(int argc, char **argv);
-int po_verb_plot(int argc, char **argv);
-int po_verb_list(int argc, char **argv);
-int po_verb_plan(int argc, char **argv);
-int po_verb_run(int argc, char **argv);
-int po_verb_merge(int argc, char **argv);
-int po_verb_verify(int argc, char **argv);
-int po_verb_conform(int argc, char **argv);
-int po_verb_seal(int argc, char **argv);
-int po_verb_report(int argc, char **argv);
-int po_verb_explain(int argc, char **argv);
-int po_verb_bless(int argc, char **argv);
+/* One row a verb: its name, and what it does. */
+// clang-format off
+#define PO_VERBS(X) \
+  X(solve, "solve one scene") \
+  X(compare, "compare the pull-off force of one scene with every theory") \
+  X(follow, "compute the pull-off of a series of scenes in which one parameter varies") \
+  X(theory, "evaluate a closed form, of the paper or of any profile") \
+  X(plot, "plot one scene or the pull-off forces of a case") \
+  X(list, "list the cases or the reference tables") \
+  X(plan, "print what would be computed for a case, and why") \
+  X(run, "solve the points of cases and write their records") \
+  X(merge, "combine the shards of a run") \
+  X(verify, "compare the results of cases with references and print the verdicts") \
+  X(explain, "explain the checks that are not within their tolerance") \
+  X(bless, "accept the values of a case as its pins") \
+  X(conform, "test whether an external solver follows the protocol") \
+  X(seal, "make reference tables of CSV files") \
+  X(report, "write the report of a run")
+// clang-format on
+#define PO_VERB_FUNCTION(name, summary) int po_verb_##name(int argc, char **argv);
+PO_VERBS(PO_VERB_FUNCTION)
 
 #endif
