@@ -49,25 +49,6 @@ static po_status maugis(const po_request *r, double *force) {
   return status;
 }
 
-static double parameter_of(const po_request *r) {
-  return po_maugis_parameter(r->scene.tabor, po_maugis_matched_tension(&r->scene));
-}
-
-static po_status carpick(const po_request *r, double *force) {
-  *force = po_carpick_force(parameter_of(r));
-  return PO_OK;
-}
-
-static po_status pietrement(const po_request *r, double *force) {
-  *force = po_pietrement_force(parameter_of(r));
-  return PO_OK;
-}
-
-static po_status schwarz(const po_request *r, double *force) {
-  *force = po_schwarz_force(parameter_of(r));
-  return PO_OK;
-}
-
 /* Points of the curve, which take some tenths of a second: 500 waves. */
 enum { MOST_POINTS = 1 << 16 };
 
@@ -82,21 +63,6 @@ static po_status guduru(const po_request *r, double *force) {
   *force = status ? NAN : fmax(0.0, -loops.displacement.pull_off.load);
   po_hysteresis_clear(&loops);
   return status;
-}
-
-/* The pull-off force of JKR with an effective work of adhesion, which may be negative. */
-static double with_work(double work) {
-  return 1.5 * fmax(0.0, work);
-}
-
-static po_status kesari_lew(const po_request *r, double *force) {
-  *force = with_work(po_kesari_lew_work(&r->scene));
-  return PO_OK;
-}
-
-static po_status persson_tosatti(const po_request *r, double *force) {
-  *force = with_work(po_persson_tosatti_work_with_area(&r->scene));
-  return PO_OK;
 }
 
 static po_status rumpf(const po_request *r, double *force) {
@@ -143,28 +109,44 @@ static const double STIFFEST = 0.1, SOFTEST = 5.0, MANY_WAVES = 2.0, HALF_WAVE =
 
 enum { MOST_ASSUMPTIONS = 3 };
 
+/* The force of a theory is evaluated for a scene, or from the parameter of Maugis, or is that of
+ * JKR with an effective work of adhesion, in w, which may be negative. */
 static const struct {
   unsigned needs;
   po_status (*evaluate)(const po_request *request, double *force);
   assumption assumes[MOST_ASSUMPTIONS]; /* the first one of PO_ASSUMES_NOTHING ends the list */
+  double (*of_parameter)(double parameter);
+  double (*work)(const po_scene *scene);
 } THEORIES[PO_THEORY_COUNT] = {
     [PO_THEORY_RIGID] = {0, rigid, {STIFF}},
     [PO_THEORY_DMT] = {0, dmt, {STIFF}},
     [PO_THEORY_JKR] = {NEEDS_ELASTIC, jkr, {SHORT_RANGE, FULL}},
     [PO_THEORY_MAUGIS] = {NEEDS_ELASTIC, maugis, {FULL, SHORT_RANGE_OF_SHAPE}},
-    [PO_THEORY_CARPICK] = {NEEDS_SPHERE, carpick, {NO_WAVES}},
-    [PO_THEORY_PIETREMENT] = {NEEDS_SPHERE, pietrement, {NO_WAVES}},
-    [PO_THEORY_SCHWARZ] = {NEEDS_SPHERE, schwarz, {NO_WAVES}},
+    [PO_THEORY_CARPICK] = {NEEDS_SPHERE, NULL, {NO_WAVES}, .of_parameter = po_carpick_force},
+    [PO_THEORY_PIETREMENT] = {NEEDS_SPHERE, NULL, {NO_WAVES}, .of_parameter = po_pietrement_force},
+    [PO_THEORY_SCHWARZ] = {NEEDS_SPHERE, NULL, {NO_WAVES}, .of_parameter = po_schwarz_force},
     [PO_THEORY_GUDURU] = {NEEDS_ELASTIC | NEEDS_WAVES, guduru, {SHORT_RANGE, FULL}},
     [PO_THEORY_KESARI_LEW] = {NEEDS_ELASTIC | NEEDS_SPHERE | NEEDS_ONE_WAVE,
-                              kesari_lew,
-                              {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}}},
+                              NULL,
+                              {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}},
+                              .work = po_kesari_lew_work},
     [PO_THEORY_PERSSON_TOSATTI] = {NEEDS_ELASTIC | NEEDS_SPHERE | NEEDS_ONE_WAVE,
-                                   persson_tosatti,
-                                   {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}}},
+                                   NULL,
+                                   {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}},
+                                   .work = po_persson_tosatti_work_with_area},
     [PO_THEORY_RUMPF] = {NEEDS_SPHERE | NEEDS_ONE_WAVE | NEEDS_LENNARD_JONES,
                          rumpf,
                          {STIFF, {PO_ASSUMES_WAVES, false, HALF_WAVE}}}};
+
+static po_status evaluate(po_theory theory, const po_request *r, double *force) {
+  const po_scene *scene = &r->scene;
+  if (THEORIES[theory].evaluate)
+    return THEORIES[theory].evaluate(r, force);
+  *force = THEORIES[theory].work ? 1.5 * fmax(0.0, THEORIES[theory].work(scene))
+                                 : THEORIES[theory].of_parameter(po_maugis_parameter(
+                                       scene->tabor, po_maugis_matched_tension(scene)));
+  return PO_OK;
+}
 
 /* Why a theory does not exist for a scene. Returned: false if it exists. */
 static bool is_refused(unsigned needs, const po_scene *scene, po_theory_row *row) {
@@ -269,7 +251,7 @@ static po_theory_row row_of(po_theory theory, const po_request *request, const p
   snprintf(row.source, sizeof row.source, "%s", po_theory_source(theory));
   if (is_refused(THEORIES[theory].needs, &request->scene, &row))
     return row;
-  const po_status status = THEORIES[theory].evaluate(request, &row.force);
+  const po_status status = evaluate(theory, request, &row.force);
   if (status || !isfinite(row.force)) {
     row.force = NAN;
     snprintf(row.reason, sizeof row.reason, "%.*s", (int)sizeof row.reason - 1,
