@@ -2,7 +2,6 @@
 
 #include <stdlib.h>
 
-#include "po_series_minima.h"
 #include "po_series_scenes.h"
 
 /* A checkpoint of a series of scenes: a scene that is traced completely, with the minima of its

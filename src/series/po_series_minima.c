@@ -1,11 +1,12 @@
-#include "po_series_minima.h"
-
+/* The minima of the load between two checkpoints of a series: followed from each to the other, and
+ * compared with both traces. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "po_estimate.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
+#include "po_series_scenes.h"
 #include "po_watch.h"
 
 /* A followed and a traced minimum are the same if their loads differ by at most SAME_LOAD times the
