@@ -6,7 +6,6 @@
 #include "po_plot_scene.h"
 #include "po_request.h"
 #include "po_result.h"
-#include "po_scene_options.h"
 
 typedef struct {
   po_scene_options scene;

@@ -10,7 +10,6 @@
 #include "po_plot_scene.h"
 #include "po_print_series.h"
 #include "po_range.h"
-#include "po_scene_options.h"
 #include "po_series.h"
 #include "po_verbs.h"
 

@@ -5,8 +5,8 @@
 #include "po_forms.h"
 #include "po_json.h"
 #include "po_json_digest.h"
+#include "po_options.h"
 #include "po_print.h"
-#include "po_scene_options.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
