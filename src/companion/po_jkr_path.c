@@ -221,6 +221,12 @@ static po_status build(builder *b, double end) {
   return status;
 }
 
+/* The JKR curve: the separated bodies at load 0 up to the first contact at approach 0, then every
+ * contact radius up to `end` (eps). Folds and extrema of the load are points; the energy is
+ * integrated from the loads. `position` is the contact radius, negative before contact; beyond an
+ * edge b of the profile it is b + sqrt(a^2 - b^2). A corner is two points at one position. The
+ * curve begins farther out than every jump. Returned: *point, *count points, to be freed. Accuracy:
+ * special points to rounding, energies to 1e-12. */
 static po_status path_of(const jkr_curve *curve, double end, po_path_point **point, size_t *count) {
   builder b = {.curve = curve};
   const po_status status = build(&b, end);
@@ -229,15 +235,6 @@ static po_status path_of(const jkr_curve *curve, double end, po_path_point **poi
   *point = status ? NULL : b.point;
   *count = status ? 0 : b.count;
   return status;
-}
-
-po_status po_jkr_path(const po_scene *scene, double end, po_path_point **point, size_t *count) {
-  jkr_curve curve;
-  po_contact least;
-  *point = NULL;
-  *count = 0;
-  const po_status status = curve_of(scene, &curve, &least);
-  return status ? status : path_of(&curve, end, point, count);
 }
 
 /* Returned: whether in every staircase some preload gives the lowest load of the curve. */
