@@ -174,10 +174,10 @@ static po_status check_line(const follow_line *line) {
 
 /* Makes the request of one scene, as if its options had been given to `pulloff solve`. */
 static po_status make_request(const follow_line *line, size_t point, po_request *request,
-                              po_series_scene *scene) {
+                              po_series_scene *scene, double *value) {
   scene->given = line->scene.given;
   po_range_print(&line->range, point, scene->text);
-  scene->value = strtod(scene->text, NULL);
+  *value = strtod(scene->text, NULL);
   scene->given.text[line->varied] = scene->text;
   *request = po_input_default();
   request->mesh.scheme = PO_PANEL;
@@ -234,10 +234,10 @@ static po_status compute(const follow_line *line, po_request *requests, po_resul
 }
 
 static po_status follow(const follow_line *line, po_request *requests, po_series_scene *scenes,
-                        po_result *results) {
+                        double *values, po_result *results) {
   po_status status = PO_OK;
   for (size_t k = 0; k < line->range.count && !status; ++k)
-    status = make_request(line, k, &requests[k], &scenes[k]);
+    status = make_request(line, k, &requests[k], &scenes[k], &values[k]);
   if (status)
     return status;
   status = po_linear_reserve(1);
@@ -248,14 +248,14 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
     return po_fail(status, "interrupted");
   char name[PO_FLAG_LENGTH];
   po_key_flag(line->varied, name);
-  const po_printed_series series = {name, line->range.count, requests, scenes, results};
+  const po_printed_series series = {name, line->range.count, values, requests, scenes, results};
   if (!status)
     status = po_print_series(&series, line->folds, line->json, line->curve);
   if (!status && line->plot)
     status = po_plot_of_series(&series, line->folds, line->plot);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
-      status = po_fail(results[k].status, "the solve at %s %g failed: %s", name, scenes[k].value,
+      status = po_fail(results[k].status, "the solve at %s %g failed: %s", name, values[k],
                        results[k].reason);
   return status;
 }
@@ -276,9 +276,13 @@ int po_verb_follow(int argc, char **argv) {
   po_request *requests = po_allocate(line.range.count, sizeof *requests);
   po_result *results = po_allocate(line.range.count, sizeof *results);
   po_series_scene *scenes = po_allocate(line.range.count, sizeof *scenes);
-  status = requests && results && scenes ? follow(&line, requests, scenes, results) : PO_NO_MEMORY;
+  double *values = po_allocate(line.range.count, sizeof *values);
+  status = requests && results && scenes && values
+               ? follow(&line, requests, scenes, values, results)
+               : PO_NO_MEMORY;
   for (size_t k = 0; results && k < line.range.count; ++k)
     po_result_clear(&results[k]);
+  free(values);
   free(scenes);
   free(requests);
   free(results);

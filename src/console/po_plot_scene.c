@@ -98,8 +98,8 @@ static po_plot_axis varied_axis(const po_plot_picture *picture, const po_printed
     axis.factor /= picture->units->length;
     axis.words[length - 2] = '\0';
   }
-  axis.log = po_plot_is_log(fmin(series->scenes[0].value, series->scenes[series->count - 1].value),
-                            fmax(series->scenes[0].value, series->scenes[series->count - 1].value));
+  axis.log = po_plot_is_log(fmin(series->values[0], series->values[series->count - 1]),
+                            fmax(series->values[0], series->values[series->count - 1]));
   return axis;
 }
 
@@ -116,7 +116,7 @@ static void add_curve(po_plot_picture *picture, po_plot_series *to, const po_pri
                                                        : (double)NAN;
     const double error = fold ? 0.0 : fmax(0.0, o->pull_off.force_error);
     po_plot_add_point(picture, to,
-                      (po_plot_point){series->scenes[k].value, value * ratio, error * ratio});
+                      (po_plot_point){series->values[k], value * ratio, error * ratio});
   }
 }
 

@@ -2,13 +2,11 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_input.h"
 #include "po_json.h"
 #include "po_json_digest.h"
-#include "po_memory.h"
 #include "po_print.h"
 #include "po_si.h"
 #include "po_tables.h"
@@ -48,7 +46,7 @@ static void print_row(const po_printed_series *series, size_t k) {
   const po_units unit = printed_units(series, k);
   const char *numbers = is_physical(series) ? "%14.10g %8.1e %16.10g %8.1e %14.6g "
                                             : "%14.9f %8.1e %16.9f %8.1e %14.6g ";
-  printf("%15g ", series->scenes[k].value);
+  printf("%15g ", series->values[k]);
   if (result->has_pull_off)
     printf(numbers, result->pull_off.force * unit.force, result->pull_off.force_error * unit.force,
            result->pull_off.approach * unit.length, result->pull_off.approach_error * unit.length,
@@ -106,7 +104,7 @@ static void print_fold(const po_printed_series *series, size_t index) {
     const po_special_point *fold = &series->results[k].folds[index];
     const po_units unit = printed_units(series, k);
     there = !isnan(fold->approach);
-    printf("%-9s %15g ", po_special_kind_name(fold->kind), series->scenes[k].value);
+    printf("%-9s %15g ", po_special_kind_name(fold->kind), series->values[k]);
     if (there)
       printf(numbers, fold->approach * unit.length, fold->approach_error * unit.length,
              fold->load * unit.force, fold->load_error * unit.force,
@@ -128,19 +126,6 @@ static po_status print_folds(const po_printed_series *series) {
   return po_print_digest(document_of(series));
 }
 
-static po_status write_curve(const po_printed_series *series, const char *file) {
-  po_series_row *rows = po_allocate(series->count, sizeof *rows);
-  if (!rows)
-    return PO_NO_MEMORY;
-  for (size_t k = 0; k < series->count; ++k)
-    rows[k] = (po_series_row){series->scenes[k].value, shown_units(&series->requests[k]),
-                              &series->results[k]};
-  const po_status status =
-      po_tables_write_series(file, series->name, &series->requests[0], rows, series->count);
-  free(rows);
-  return status;
-}
-
 po_status po_print_series(const po_printed_series *series, bool folds, bool json,
                           const char *curve) {
   po_status status = PO_OK;
@@ -151,5 +136,8 @@ po_status po_print_series(const po_printed_series *series, bool folds, bool json
   else if (!folds && !(curve && strcmp(curve, "-") == 0))
     status = print_rows(series);
   fflush(stdout);
-  return status || !curve ? status : write_curve(series, curve);
+  return status || !curve
+             ? status
+             : po_tables_write_series(curve, series->name, series->values, series->requests,
+                                      series->results, series->count);
 }

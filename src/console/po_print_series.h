@@ -12,12 +12,12 @@
 typedef struct {
   po_given given;
   char text[PO_NUMBER_LENGTH]; /* the value of the parameter that varies */
-  double value;
 } po_series_scene;
 
 typedef struct {
   const char *name; /* of the parameter that varies */
-  size_t count;     /* of requests, scenes and results */
+  size_t count;     /* of values, requests, scenes and results */
+  const double *values;
   const po_request *requests;
   const po_series_scene *scenes;
   const po_result *results;

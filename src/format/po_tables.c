@@ -211,8 +211,10 @@ po_status po_tables_write_staircase(const char *path, const po_request *request,
       &rows, digest);
 }
 
-po_status po_tables_write_series(const char *path, const char *key, const po_request *first,
-                                 const po_series_row *row, size_t count) {
+po_status po_tables_write_series(const char *path, const char *key, const double *values,
+                                 const po_request *requests, const po_result *results,
+                                 size_t count) {
+  const po_request *first = &requests[0];
   static const char *const COLUMNS[] = {"force", "approach", "contact_radius"};
   static const po_dimension DIMENSIONS[] = {PO_DIMENSION_LOAD, PO_DIMENSION_LENGTH,
                                             PO_DIMENSION_LENGTH};
@@ -237,20 +239,21 @@ po_status po_tables_write_series(const char *path, const char *key, const po_req
   }
   po_text_add(&rows, ",followed\n");
   for (size_t k = 0; k < count; ++k) {
-    const po_result *o = row[k].result;
+    const po_result *o = &results[k];
+    const po_units unit = first->in_si ? requests[k].units : (po_units){.length = 1, .force = 1};
     const double none = o->has_pull_off ? 1.0 : (double)NAN;
-    const double force = row[k].unit.force * factor[0] * none;
-    const double approach = row[k].unit.length * factor[1] * none;
-    const double radius = row[k].unit.length * factor[2] * none;
-    const double values[] = {row[k].value,
-                             o->pull_off.force * force,
-                             o->pull_off.force_error * force,
-                             o->pull_off.approach * approach,
-                             o->pull_off.approach_error * approach,
-                             o->pull_off.contact_radius * radius,
-                             o->pull_off.contact_radius_error * radius,
-                             o->followed};
-    po_csv_add_row(&rows, values, LENGTH(values));
+    const double force = unit.force * factor[0] * none;
+    const double approach = unit.length * factor[1] * none;
+    const double radius = unit.length * factor[2] * none;
+    const double row[] = {values[k],
+                          o->pull_off.force * force,
+                          o->pull_off.force_error * force,
+                          o->pull_off.approach * approach,
+                          o->pull_off.approach_error * approach,
+                          o->pull_off.contact_radius * radius,
+                          o->pull_off.contact_radius_error * radius,
+                          o->followed};
+    po_csv_add_row(&rows, row, LENGTH(row));
   }
   return write_table(
       path, first, "pull-off of scenes in which one parameter varies; the command solves the first",

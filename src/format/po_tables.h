@@ -29,19 +29,13 @@ po_status po_tables_write_staircase(const char *path, const po_request *request,
  * r, gap and removed: what the row had more. Otherwise as po_tables_write_curve. */
 po_status po_tables_write_smoothed(const char *path, const po_request *request);
 
-/* One scene of a series in which one parameter varies. */
-typedef struct {
-  double value;            /* of the parameter */
-  po_units unit;           /* by which lengths and forces of the result are multiplied */
-  const po_result *result; /* its pull-off is written */
-} po_series_row;
-
 /* Writes the pull-offs of a series, one scene in each row, with the columns KEY, force,
  * force_error, approach, approach_error, contact_radius, contact_radius_error and followed (0:
- * traced); nan where a scene has no pull-off. Given: the name of the parameter; the request of the
- * first scene, whose prefixes all rows have. Otherwise as po_tables_write_curve. */
-po_status po_tables_write_series(const char *path, const char *key, const po_request *first,
-                                 const po_series_row *row, size_t count);
+ * traced); nan where a scene has no pull-off. All rows have the prefixes of the first scene. Given:
+ * the name of the parameter and its values. Otherwise as po_tables_write_curve. */
+po_status po_tables_write_series(const char *path, const char *key, const double *values,
+                                 const po_request *requests, const po_result *results,
+                                 size_t count);
 
 /* Read a table of po_tables_write_curve or po_tables_write_profile into result->curve or
  * result->profile. Status: PO_CANNOT_READ, also if the checksum of the table is not `digest`;
