@@ -26,9 +26,7 @@ static const char HELP[] =
     "@trace\n"
     "\n"
     "Discretisation:\n"
-    "@mesh\n";
-
-static const char MORE_HELP[] =
+    "@mesh\n"
     "\n"
     "Results:\n"
     "  --theory NAME           this theory only; it is an error if it cannot be evaluated. NAME "
@@ -91,8 +89,8 @@ static int compare(po_solve_line *line, const po_theory *only) {
 }
 
 int po_verb_compare(int argc, char **argv) {
-  const po_options options = {"compare", HELP,      OPTIONS,      argc,
-                              argv,      MORE_HELP, PO_FOR_SOLVE, po_solve_line_take_key};
+  const po_options options = {"compare", HELP, OPTIONS,      argc,
+                              argv,      NULL, PO_FOR_SOLVE, po_solve_line_take_key};
   po_solve_line line = po_solve_line_begin();
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))

@@ -37,9 +37,7 @@ static const char HELP[] =
     "                          folds, the first scene is traced and each of its folds is\n"
     "                          continued for as long as it exists\n"
     "  --checkpoint-every K    at least one scene in K is a checkpoint, 1 to 10000 (default 15)\n"
-    "\n";
-
-static const char MORE_HELP[] =
+    "\n"
     "Scene:\n"
     "@scene\n"
     "\n"
@@ -261,8 +259,8 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
 }
 
 int po_verb_follow(int argc, char **argv) {
-  const po_options options = {"follow", HELP,      OPTIONS,       argc,
-                              argv,     MORE_HELP, PO_FOR_FOLLOW, po_scene_options_take};
+  const po_options options = {"follow", HELP, OPTIONS,       argc,
+                              argv,     NULL, PO_FOR_FOLLOW, po_scene_options_take};
   follow_line line = {
       .scene = po_scene_options_begin(), .varied = -1, .range = {NAN, NAN, DEFAULT_POINTS, true}};
   po_status status = PO_OK;

@@ -44,10 +44,7 @@ static const char HELP[] =
     "  --gap H                 the traction at this gap, H = h/epsilon - 1 > -1 (lennard-jones)\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
-    "\n";
-
-static const char MORE_HELP[] = PO_SCENE_OPTIONS_HELP
-    "\n"
+    "\n" PO_SCENE_OPTIONS_HELP "\n"
     "Example: pulloff theory guduru --tabor 5 --amplitude 10 --wavelength 20 --radius 100 --json\n"
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
@@ -217,8 +214,8 @@ static po_status print(const po_theory_line *l, const po_form *form) {
 }
 
 int po_verb_theory(int argc, char **argv) {
-  const po_options options = {"theory", HELP,      OPTIONS,       argc,
-                              argv,     MORE_HELP, PO_FOR_THEORY, po_scene_options_take};
+  const po_options options = {"theory", HELP, OPTIONS,       argc,
+                              argv,     NULL, PO_FOR_THEORY, po_scene_options_take};
   po_theory_line line = {.options = po_scene_options_begin(),
                          .request = po_input_default(),
                          .alpha = NAN,

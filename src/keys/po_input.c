@@ -113,7 +113,8 @@ static double *key_place(po_request *request, po_key key) {
   return place == PO_NO_PLACE ? NULL : (double *)(void *)((char *)request + place);
 }
 
-int po_key_parameter(int key) {
+/* The number of a parameter among those of all laws, or of all profiles. */
+static int parameter_of(int key) {
   const size_t first = KEYS[key].owner == PO_OWNER_LAW
                            ? offsetof(po_request, scene.law.parameter)
                            : offsetof(po_request, scene.profile.parameter);
@@ -123,9 +124,9 @@ int po_key_parameter(int key) {
 /* Whether the law or the profile of a request has the parameter that a key is. */
 static bool has_parameter(const po_request *request, po_key key) {
   if (po_key_is_parameter(key, PO_OWNER_LAW))
-    return po_law_has(&request->scene.law, (po_law_parameter)po_key_parameter((int)key));
+    return po_law_has(&request->scene.law, (po_law_parameter)parameter_of((int)key));
   return !po_key_is_parameter(key, PO_OWNER_PROFILE) ||
-         po_profile_has(&request->scene.profile, (po_profile_parameter)po_key_parameter((int)key));
+         po_profile_has(&request->scene.profile, (po_profile_parameter)parameter_of((int)key));
 }
 
 /* The radius of a profile for which none was given. */
@@ -214,9 +215,9 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
   if (po_key_is_group(key) && !isnormal(value) && (value != 0 || key == PO_KEY_OUTER_RATIO))
     return false;
   if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)
-    return set_of_table(request, (po_profile_parameter)po_key_parameter((int)key), value);
+    return set_of_table(request, (po_profile_parameter)parameter_of((int)key), value);
   if (po_key_is_parameter(key, PO_OWNER_LAW))
-    po_law_set_parameter(&request->scene.law, (po_law_parameter)po_key_parameter((int)key), value);
+    po_law_set_parameter(&request->scene.law, (po_law_parameter)parameter_of((int)key), value);
   else
     *key_place(request, po_key_target(key)) = value;
   return true;

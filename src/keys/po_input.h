@@ -84,9 +84,6 @@ bool po_key_is_continuous(int key);
 /* Returned: whether a key is a parameter of the laws, or of the profiles. */
 bool po_key_is_parameter(int key, po_key_owner owner);
 
-/* Returned: the number of a parameter among those of all laws, or of all profiles. */
-int po_key_parameter(int key);
-
 /* Returned: whether a key is a group; and the key that a group, `profile_file`, `waves` or a key in
  * SI units sets (otherwise the key itself). A group must be set after all other keys. */
 bool po_key_is_group(int key);
