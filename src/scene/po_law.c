@@ -65,10 +65,6 @@ bool po_law_has(const po_law *law, po_law_parameter parameter) {
   return parameter >= kind->first && parameter < kind->first + kind->parameters;
 }
 
-const char *po_law_parameter_name(po_law_parameter parameter) {
-  return PARAMETERS[parameter];
-}
-
 po_status po_law_require(const po_law *law, po_law_parameter parameter) {
   return isnan(law->parameter[parameter])
              ? po_fail(PO_BAD_INPUT, "%s is not given: expected it with the law %s",
@@ -101,11 +97,11 @@ double po_law_energy_averaged(const po_law *law, double gap, double amplitude) {
 }
 
 po_law_scale po_law_scale_at(const po_law *law, double gap) {
-  return kind_of(law)->scale(law, gap);
+  return kind_of(law)->scale ? kind_of(law)->scale(law, gap) : (po_law_scale){1.0 + gap, 1.0};
 }
 
 double po_law_size(const po_law *law, double gap) {
-  return kind_of(law)->scale(law, gap).size;
+  return po_law_scale_at(law, gap).size;
 }
 
 po_law_closeness po_law_closeness_at(const po_law *law, double gap) {
@@ -117,15 +113,18 @@ double po_law_peak_gap(const po_law *law) {
 }
 
 double po_law_closest(const po_law *law) {
-  return kind_of(law)->closest(law);
+  return kind_of(law)->closest ? kind_of(law)->closest(law) : -1.0;
 }
 
+/* Of powers, a tenth of the distance from the singularity. */
 double po_law_expected_gap(const po_law *law, double gap) {
-  return fmax(gap, kind_of(law)->least_gap(law));
+  return fmax(gap, kind_of(law)->closest ? kind_of(law)->closest(law) : -0.9);
 }
 
+/* Beyond 20 a law of powers is its attractive one to a part of 21^-(n-m), 1.2e-8 for (3, 9). A
+ * larger remainder is left to the polynomial of the panel to infinity. */
 double po_law_reach(const po_law *law) {
-  return kind_of(law)->reach(law);
+  return kind_of(law)->reach ? kind_of(law)->reach(law) : 20.0;
 }
 
 po_law_far po_law_far_field(const po_law *law) {
@@ -134,29 +133,6 @@ po_law_far po_law_far_field(const po_law *law) {
 
 double po_law_approach_of_push(const po_law *law, double share, double load) {
   return kind_of(law)->approach_of_push(law, share, load);
-}
-
-po_law_scale po_law_scale_of_powers(const po_law *law, double gap) {
-  (void)law;
-  return (po_law_scale){1.0 + gap, 1.0};
-}
-
-double po_law_closest_of_powers(const po_law *law) {
-  (void)law;
-  return -1.0;
-}
-
-/* A tenth of the distance from the singularity. */
-double po_law_least_gap_of_powers(const po_law *law) {
-  (void)law;
-  return -0.9;
-}
-
-/* Beyond 20 the law is its attractive power to a part of 21^-(n-m), 1.2e-8 for (3, 9). A larger
- * remainder is left to the polynomial of the panel to infinity. */
-double po_law_reach_of_powers(const po_law *law) {
-  (void)law;
-  return 20.0;
 }
 
 /* Even the sharpest crests repel before they are so near to the singularity. */

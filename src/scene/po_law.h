@@ -50,12 +50,10 @@ bool po_law_set(po_law *law, const char *text);
 /* Sets one parameter. */
 void po_law_set_parameter(po_law *law, po_law_parameter parameter, double value);
 
-/* "lennard-jones", "mie", "morse"; the number of a law among these; whether it has a parameter; the
- * name of a parameter, "mie_m". */
+/* "lennard-jones", "mie", "morse"; the number of a law among these; whether it has a parameter. */
 const char *po_law_name(const po_law *law);
 size_t po_law_index(const po_law *law);
 bool po_law_has(const po_law *law, po_law_parameter parameter);
-const char *po_law_parameter_name(po_law_parameter parameter);
 
 /* PO_BAD_INPUT, naming the parameter that is out of range, its value and what is expected. */
 po_status po_law_check(const po_law *law);

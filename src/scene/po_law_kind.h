@@ -17,11 +17,11 @@ struct po_law_kind {
   double (*energy)(const po_law *law, double gap);
   po_law_value (*averaged)(const po_law *law, double gap, double amplitude);
   double (*energy_averaged)(const po_law *law, double gap, double amplitude);
-  po_law_scale (*scale)(const po_law *law, double gap);
+  po_law_scale (*scale)(const po_law *law,
+                        double gap); /* NULL, here and below: of powers of 1 + H */
   po_law_closeness (*closeness)(const po_law *law, double gap); /* at gaps > 0 */
   double (*peak_gap)(const po_law *law);
-  double (*closest)(const po_law *law);
-  double (*least_gap)(const po_law *law);
+  double (*closest)(const po_law *law); /* given: also the least gap at which it is evaluated */
   double (*reach)(const po_law *law);
   po_law_far (*far_field)(const po_law *law);
   double (*approach_of_push)(const po_law *law, double share, double load);
@@ -32,11 +32,6 @@ extern const po_law_kind PO_LENNARD_JONES, PO_MIE, PO_MORSE;
 /* Status: PO_BAD_INPUT with a message if the parameter was not given. */
 po_status po_law_require(const po_law *law, po_law_parameter parameter);
 
-/* Scale, singularity and least gap of laws in powers of 1 + H. */
-po_law_scale po_law_scale_of_powers(const po_law *law, double gap);
-double po_law_closest_of_powers(const po_law *law);
-double po_law_least_gap_of_powers(const po_law *law);
-double po_law_reach_of_powers(const po_law *law);
-double po_law_approach_of_distance(double distance); /* from the singularity */
+double po_law_approach_of_distance(double distance); /* from the singularity of a power */
 
 #endif

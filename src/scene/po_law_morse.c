@@ -96,10 +96,6 @@ static double closest(const po_law *law) {
   return -DEEPEST / steepness(law);
 }
 
-static double least_gap(const po_law *law) {
-  return closest(law);
-}
-
 static double reach(const po_law *law) {
   return FARTHEST / steepness(law);
 }
@@ -127,7 +123,6 @@ const po_law_kind PO_MORSE = {.name = "morse",
                               .closeness = closeness,
                               .peak_gap = peak_gap,
                               .closest = closest,
-                              .least_gap = least_gap,
                               .reach = reach,
                               .far_field = far_field,
                               .approach_of_push = approach_of_push};

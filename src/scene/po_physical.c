@@ -69,19 +69,6 @@ po_status po_physical_scene(const po_physical *physical, po_scene *scene) {
   return bad;
 }
 
-po_physical po_physical_of_scene(const po_scene *scene, double modulus, double distance,
-                                 double work) {
-  const double mu = scene->tabor;
-  return (po_physical){.modulus = modulus,
-                       .work = mu > 0.0 ? modulus * distance * mu * (sqrt(mu) / sqrt(scene->radius))
-                                        : work,
-                       .distance = distance,
-                       .radius = scene->radius * distance,
-                       .amplitude = scene->amplitude * distance,
-                       .wavelength = scene->wavelength * distance,
-                       .outer_radius = scene->outer_radius * distance};
-}
-
 po_units po_physical_units(const po_physical *physical, const po_scene *scene) {
   const double tension = physical->work / physical->distance;
   return (po_units){.length = physical->distance,

@@ -31,13 +31,6 @@ typedef struct {
  * that is outside the range of doubles. Accuracy: 8 ulp (tests/unit/test_physical.c). */
 po_status po_physical_scene(const po_physical *physical, po_scene *scene);
 
-/* The inverse of po_physical_scene. Given: what a dimensionless scene does not determine: modulus
- * E*, Pa (INFINITY for tabor 0), and distance epsilon, m. The work of adhesion follows as w = E*
- * eps (mu^3/R)^(1/2), R in units of epsilon; for a rigid scene, which does not determine it, it is
- * `work`, J/m^2. */
-po_physical po_physical_of_scene(const po_scene *scene, double modulus, double distance,
-                                 double work);
-
 /* The units of a scene. Given: a physical scene and its dimensionless form from
  * po_physical_scene. */
 po_units po_physical_units(const po_physical *physical, const po_scene *scene);

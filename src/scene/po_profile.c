@@ -86,10 +86,6 @@ bool po_profile_has(const po_profile *profile, po_profile_parameter parameter) {
   return parameter >= kind->first && parameter < kind->first + kind->parameters;
 }
 
-const char *po_profile_parameter_name(po_profile_parameter parameter) {
-  return PARAMETERS[parameter];
-}
-
 const char *po_profile_file(const po_profile *profile) {
   return profile->table ? profile->table->path : "-";
 }
@@ -102,19 +98,14 @@ const char *po_profile_digest(const po_profile *profile) {
   return profile->table ? profile->table->digest : "-";
 }
 
-bool po_profile_equal(const po_profile *a, const po_profile *b) {
-  if (kind_of(a) != kind_of(b) || a->table != b->table)
-    return false;
-  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k) {
-    const double x = a->parameter[k], y = b->parameter[k];
-    if (po_profile_has(a, (po_profile_parameter)k) && x != y && !(isnan(x) && isnan(y)))
-      return false;
-  }
-  return true;
-}
-
 po_status po_profile_check(const po_profile *profile) {
-  return kind_of(profile)->check ? kind_of(profile)->check(profile) : PO_OK;
+  const po_profile_kind *kind = kind_of(profile);
+  if (kind->check)
+    return kind->check(profile);
+  po_status status = PO_OK;
+  for (size_t k = 0; k < kind->parameters && !status; ++k)
+    status = po_profile_require_positive(profile, (po_profile_parameter)(kind->first + k));
+  return status;
 }
 
 bool po_profile_is_sphere(const po_profile *profile) {
@@ -199,7 +190,7 @@ double po_profile_next_joint(const po_profile *profile, double r) {
 }
 
 double po_profile_growth(const po_profile *profile) {
-  return kind_of(profile)->growth(profile);
+  return kind_of(profile)->growth ? kind_of(profile)->growth(profile) : 2.0;
 }
 
 double po_profile_end(const po_profile *profile) {

@@ -64,18 +64,14 @@ void po_profile_set_parameter(po_profile *profile, po_profile_parameter paramete
 po_status po_profile_set_file(po_profile *profile, const char *path);
 
 /* "sphere", "power", "cone", "punch", "truncated", "table"; the number of a profile among these;
- * whether it has a parameter; the name of a parameter, "power_c". The path of a table, its name in
- * documents, and the SHA-256 of its content; "-" for other profiles. */
+ * whether it has a parameter. The path of a table, its name in documents, and the SHA-256 of its
+ * content; "-" for other profiles. */
 const char *po_profile_name(const po_profile *profile);
 size_t po_profile_index(const po_profile *profile);
 bool po_profile_has(const po_profile *profile, po_profile_parameter parameter);
-const char *po_profile_parameter_name(po_profile_parameter parameter);
 const char *po_profile_file(const po_profile *profile);
 const char *po_profile_shown(const po_profile *profile);
 const char *po_profile_digest(const po_profile *profile);
-
-/* Whether two profiles are the same. */
-bool po_profile_equal(const po_profile *a, const po_profile *b);
 
 /* PO_BAD_INPUT, naming the parameter that is out of range, its value and what is expected. */
 po_status po_profile_check(const po_profile *profile);

@@ -11,11 +11,6 @@ static double punch_edge(const po_profile *profile) {
   return profile->parameter[PO_PUNCH_R];
 }
 
-static po_status punch_check(const po_profile *profile) {
-  const po_status status = po_profile_require_positive(profile, PO_PUNCH_B);
-  return status ? status : po_profile_require_positive(profile, PO_PUNCH_R);
-}
-
 static double punch_gap(const po_profile *profile, double radius, double r) {
   (void)radius;
   const double beyond = r - punch_flat(profile);
@@ -40,32 +35,20 @@ static double punch_radius_of_gap(const po_profile *profile, double radius, doub
   return punch_flat(profile) + sqrt(2.0 * punch_edge(profile) * gap);
 }
 
-static double growth(const po_profile *profile) {
-  (void)profile;
-  return 2.0;
-}
-
 const po_profile_kind PO_PUNCH = {.name = "punch",
                                   .parameters = 2,
                                   .first = PO_PUNCH_B,
-                                  .check = punch_check,
                                   .gap = punch_gap,
                                   .slope = punch_slope,
                                   .gap_exact = punch_exact,
                                   .radius_of_gap = punch_radius_of_gap,
-                                  .kink = punch_flat,
-                                  .growth = growth};
+                                  .kink = punch_flat};
 
 static double cut_flat(const po_profile *profile) {
   return profile->parameter[PO_TRUNCATED_B];
 }
 static double cut_radius(const po_profile *profile) {
   return profile->parameter[PO_TRUNCATED_R];
-}
-
-static po_status cut_check(const po_profile *profile) {
-  const po_status status = po_profile_require_positive(profile, PO_TRUNCATED_B);
-  return status ? status : po_profile_require_positive(profile, PO_TRUNCATED_R);
 }
 
 static double cut_gap(const po_profile *profile, double radius, double r) {
@@ -96,10 +79,8 @@ static double cut_radius_of_gap(const po_profile *profile, double radius, double
 const po_profile_kind PO_TRUNCATED = {.name = "truncated",
                                       .parameters = 2,
                                       .first = PO_TRUNCATED_B,
-                                      .check = cut_check,
                                       .gap = cut_gap,
                                       .slope = cut_slope,
                                       .gap_exact = cut_exact,
                                       .radius_of_gap = cut_radius_of_gap,
-                                      .kink = cut_flat,
-                                      .growth = growth};
+                                      .kink = cut_flat};

@@ -9,8 +9,8 @@ struct po_profile_kind {
   const char *name;
   size_t parameters; /* it has so many, from this one on */
   po_profile_parameter first;
-  /* Checks the parameters. Status: PO_BAD_INPUT with the value and what was expected. NULL: there
-   * is nothing to check. */
+  /* Checks the parameters. Status: PO_BAD_INPUT with the value and what was expected. NULL: each is
+   * finite and > 0. */
   po_status (*check)(const po_profile *profile);
   double (*gap)(const po_profile *profile, double radius, double r);
   double (*slope)(const po_profile *profile, double radius, double r);
@@ -19,10 +19,10 @@ struct po_profile_kind {
   double (*radius_of_gap)(const po_profile *profile, double radius, double gap);
   double (*kink)(const po_profile *profile);                 /* NULL: there is none */
   double (*next_joint)(const po_profile *profile, double r); /* NULL: only the kink */
-  double (*growth)(const po_profile *profile);
-  double (*end)(const po_profile *profile);     /* NULL: f is known everywhere */
-  double (*detail)(const po_profile *profile);  /* NULL: f rises everywhere */
-  bool (*is_convex)(const po_profile *profile); /* NULL: it is */
+  double (*growth)(const po_profile *profile);               /* NULL: 2 */
+  double (*end)(const po_profile *profile);                  /* NULL: f is known everywhere */
+  double (*detail)(const po_profile *profile);               /* NULL: f rises everywhere */
+  bool (*is_convex)(const po_profile *profile);              /* NULL: it is */
 };
 
 extern const po_profile_kind PO_SPHERE, PO_POWER, PO_CONE, PO_PUNCH, PO_TRUNCATED, PO_TABLE;

@@ -25,17 +25,11 @@ static double sphere_radius_of_gap(const po_profile *profile, double radius, dou
   return sqrt(2.0 * radius * gap);
 }
 
-static double sphere_growth(const po_profile *profile) {
-  (void)profile;
-  return 2.0;
-}
-
 const po_profile_kind PO_SPHERE = {.name = "sphere",
                                    .gap = sphere_gap,
                                    .slope = sphere_slope,
                                    .gap_exact = sphere_exact,
-                                   .radius_of_gap = sphere_radius_of_gap,
-                                   .growth = sphere_growth};
+                                   .radius_of_gap = sphere_radius_of_gap};
 
 /* Flatter powers than the cone have an infinite slope on the axis; steeper ones than the largest
  * are flat punches, and their powers overflow. */
@@ -97,10 +91,6 @@ static double tangent(const po_profile *profile) {
   return profile->parameter[PO_CONE_T];
 }
 
-static po_status cone_check(const po_profile *profile) {
-  return po_profile_require_positive(profile, PO_CONE_T);
-}
-
 static double cone_gap(const po_profile *profile, double radius, double r) {
   (void)radius;
   return tangent(profile) * r;
@@ -130,7 +120,6 @@ static double cone_growth(const po_profile *profile) {
 const po_profile_kind PO_CONE = {.name = "cone",
                                  .parameters = 1,
                                  .first = PO_CONE_T,
-                                 .check = cone_check,
                                  .gap = cone_gap,
                                  .slope = cone_slope,
                                  .gap_exact = cone_exact,

@@ -2,6 +2,7 @@
  * scale. A profile that is accepted must have the properties on which the solver relies. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "fuzz.h"
 #include "po_number.h"
@@ -103,7 +104,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_write(path, parts[0].bytes, parts[0].size);
   const po_status status = po_profile_set_file(&profile, path);
   fuzz_require_message(status);
-  fuzz_require(status == PO_OK || po_profile_equal(&before, &profile),
+  fuzz_require(status == PO_OK || memcmp(&before, &profile, sizeof before) == 0,
                "a refused table changes the profile");
   if (status == PO_OK) {
     const po_status wrong = po_profile_check(&profile);
