@@ -4,14 +4,14 @@
 #include <string.h>
 
 #include "po_estimates.h"
-#include "po_forms_profile.h"
 #include "po_guduru.h"
+#include "po_maugis.h"
 #include "po_quote.h"
+#include "po_rigid_profile.h"
 #include "po_suggest.h"
-#include "po_wavy_rigid.h"
 
 static void put(po_form_values *values, po_form_unit unit, const char *name, double value) {
-  po_form_put(values, unit, name, value);
+  values->items[values->count++] = (po_form_value){name, unit, value, false};
 }
 
 /* Whether the forms of any profile apply. */
@@ -47,6 +47,93 @@ static void put_pull_off_contact(po_form_values *v, po_contact c) {
   put(v, PO_FORM_LENGTH, "pull_off_contact_radius", c.contact_radius);
 }
 
+/* The forms of any profile, waves and law. Each appends the same numbers whether it succeeds or
+ * not: NAN, and the status, if not. */
+
+static const po_contact NO_CONTACT = {NAN, NAN, NAN};
+
+/* Keeps the first failure. */
+static void note(po_form_values *v, po_status status) {
+  if (!v->status)
+    v->status = status;
+}
+
+static void jkr_of_profile(const po_form_input *in, po_form_values *v) {
+  po_contact least = NO_CONTACT, last = NO_CONTACT;
+  double gap = NAN, radius;
+  note(v, po_jkr_profile_pull_off(&in->scene, PO_GIVEN_LOAD, &least));
+  if (!v->status)
+    note(v, po_jkr_profile_pull_off(&in->scene, PO_GIVEN_APPROACH, &last));
+  if (!v->status)
+    note(v, po_jkr_profile_check(&in->scene, least.contact_radius, &gap, &radius));
+  put_pull_off_contact(v, least);
+  put(v, PO_FORM_LENGTH, "pull_off_least_gap", gap);
+  put_contact(v, LAST, last);
+}
+
+static void jkr_of_profile_along(const po_form_input *in, po_form_values *v) {
+  const po_contact here = po_jkr_profile_at(&in->scene, in->at);
+  double energy = NAN, gap = NAN, radius;
+  note(v, po_jkr_profile_energy(&in->scene, in->at, &energy));
+  if (!v->status)
+    note(v, po_jkr_profile_check(&in->scene, in->at, &gap, &radius));
+  put_contact(v, HERE, here);
+  put(v, PO_FORM_PURE, "energy", energy);
+  put(v, PO_FORM_PURE, "load_rate", po_jkr_profile_rate(&in->scene, PO_GIVEN_LOAD, in->at));
+  put(v, PO_FORM_PURE, "approach_rate", po_jkr_profile_rate(&in->scene, PO_GIVEN_APPROACH, in->at));
+  put(v, PO_FORM_LENGTH, "least_gap", gap);
+  for (size_t k = v->count - 3; k < v->count - 1; ++k)
+    v->items[k].may_be_infinite = in->at == 0.0; /* the curve begins with a vertical tangent */
+}
+
+static double tension_of(const po_form_input *in) {
+  return in->tension > 0.0 ? in->tension : po_maugis_matched_tension(&in->scene);
+}
+
+static void solve_pull_off(const po_form_input *in, po_given given, po_form_values *v,
+                           po_maugis *state) {
+  const double tension = tension_of(in);
+  *state = (po_maugis){NO_CONTACT, NAN};
+  if (!v->status)
+    note(v, po_maugis_pull_off(&in->scene, tension, given, false, state));
+  if (!v->status)
+    note(v, po_maugis_check(&in->scene, tension, state));
+}
+
+static void maugis(const po_form_input *in, po_form_values *v) {
+  po_maugis least, last;
+  solve_pull_off(in, PO_GIVEN_LOAD, v, &least);
+  solve_pull_off(in, PO_GIVEN_APPROACH, v, &last);
+  put(v, PO_FORM_TENSION, "tension", tension_of(in));
+  put_pull_off_contact(v, least.contact);
+  put(v, PO_FORM_LENGTH, "pull_off_end_of_tension", least.end);
+  put_contact(v, LAST, last.contact);
+}
+
+static void maugis_along(const po_form_input *in, po_form_values *v) {
+  const double tension = tension_of(in);
+  po_maugis here = {NO_CONTACT, NAN};
+  note(v, po_maugis_at(&in->scene, tension, in->at, &here));
+  if (!v->status)
+    note(v, po_maugis_check(&in->scene, tension, &here));
+  put_contact(v, HERE, here.contact);
+  put(v, PO_FORM_LENGTH, "end_of_tension", here.end);
+}
+
+static void rigid_of_profile(const po_form_input *in, po_form_values *v) {
+  po_rigid_pull_off p;
+  note(v, po_rigid_profile_pull_off(&in->scene, &p));
+  put_pull_off(v, p.force, p.approach);
+}
+
+static void rigid_of_profile_along(const po_form_input *in, po_form_values *v) {
+  double load, rate;
+  note(v, po_rigid_profile_load(&in->scene, in->at, &load, &rate));
+  put(v, PO_FORM_FORCE, "load", load);
+}
+
+/* All forms. */
+
 static void bradley(const po_form_input *in, po_form_values *v) {
   (void)in;
   put_pull_off(v, 2.0, 0.0);
@@ -58,7 +145,7 @@ static void bradley_along(const po_form_input *in, po_form_values *v) {
 
 static void rigid(const po_form_input *in, po_form_values *v) {
   if (is_general(in)) {
-    po_form_rigid_profile(in, v);
+    rigid_of_profile(in, v);
     return;
   }
   const po_rigid_pull_off p = po_wavy_rigid_pull_off(in->scene.amplitude, in->alpha);
@@ -67,7 +154,7 @@ static void rigid(const po_form_input *in, po_form_values *v) {
 
 static void rigid_along(const po_form_input *in, po_form_values *v) {
   if (is_general(in)) {
-    po_form_rigid_profile_along(in, v);
+    rigid_of_profile_along(in, v);
     return;
   }
   put(v, PO_FORM_FORCE, "load", po_wavy_rigid_load(in->scene.amplitude, in->alpha, in->at));
@@ -75,7 +162,7 @@ static void rigid_along(const po_form_input *in, po_form_values *v) {
 
 static void jkr(const po_form_input *in, po_form_values *v) {
   if (is_general(in)) {
-    po_form_jkr_profile(in, v);
+    jkr_of_profile(in, v);
     return;
   }
   put_pull_off_contact(v, po_jkr_pull_off(&in->scene));
@@ -84,7 +171,7 @@ static void jkr(const po_form_input *in, po_form_values *v) {
 
 static void jkr_along(const po_form_input *in, po_form_values *v) {
   if (is_general(in)) {
-    po_form_jkr_profile_along(in, v);
+    jkr_of_profile_along(in, v);
     return;
   }
   put_contact(v, HERE, po_jkr_at(&in->scene, in->at));
@@ -164,7 +251,7 @@ static const po_form FORMS[] = {
     {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC, ALL | PO_TAKES_PROFILE},
     {"dmt", dmt, dmt_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
      PO_TAKES_TABOR | PO_TAKES_RADIUS},
-    {"maugis", po_form_maugis, po_form_maugis_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
+    {"maugis", maugis, maugis_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
      ALL | PO_TAKES_PROFILE | PO_TAKES_LAW | PO_TAKES_TENSION},
     {"guduru", guduru, guduru_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_WAVES | PO_NEEDS_ELASTIC,
      ALL},
