@@ -12,36 +12,30 @@ enum { MOST_INTERVALS = 1 << 18 };
 /* A bound that exceeds the wanted value by less than this part of it excludes nothing. */
 static const double ROUNDING = 1e-12;
 
-typedef enum { LOWEST_FIRST, ASCENDING, DESCENDING } order;
-
 typedef struct {
   const po_minima_function *f;
-  order order;
-  double most; /* minima above it are not wanted */
-  double *x;
-  double value; /* of the lowest found, if it is sought */
-  size_t room, count;
+  bool last;       /* the last minimum is sought, from the last interval on; otherwise the lowest */
+  double most;     /* minima above it are not wanted */
+  double x, value; /* of the minimum found */
+  bool found;
   size_t intervals;
   po_status stopped;
 } search;
 
 static bool is_done(const search *s) {
-  return s->stopped || s->intervals >= MOST_INTERVALS ||
-         (s->order != LOWEST_FIRST && s->count == s->room);
+  return s->stopped || s->intervals >= MOST_INTERVALS || (s->last && s->found);
 }
 
 static void take(search *s, double x) {
   const double value = s->f->value(x, s->f->data);
   if (value > s->most + ROUNDING * fabs(s->most))
     return;
-  if (s->order != LOWEST_FIRST) {
-    s->x[s->count++] = x;
-  } else if (s->count == 0 || value < s->value) {
-    s->x[0] = x;
-    s->value = value;
-    s->count = 1;
-    s->most = fmin(s->most, value);
-  }
+  if (s->found && !(value < s->value))
+    return;
+  s->x = x;
+  s->value = value;
+  s->found = true;
+  s->most = fmin(s->most, value);
 }
 
 static bool may_have(const search *s, double low, double high) {
@@ -68,11 +62,10 @@ static void search_in(search *s, double low, double high) {
     return;
   }
   const double middle = high > 2.0 * low ? sqrt(low) * sqrt(high) : 0.5 * (low + high);
-  if (s->order == LOWEST_FIRST)
+  if (!s->last)
     s->most = fmin(s->most, f->value(middle, f->data));
   const bool outer_first =
-      s->order == DESCENDING || (s->order == LOWEST_FIRST &&
-                                 f->below(middle, high, f->data) < f->below(low, middle, f->data));
+      s->last || f->below(middle, high, f->data) < f->below(low, middle, f->data);
   search_in(s, outer_first ? middle : low, outer_first ? high : middle);
   search_in(s, outer_first ? low : middle, outer_first ? middle : high);
 }
@@ -87,12 +80,12 @@ static void search_corner(search *s, size_t k) {
     take(s, x);
 }
 
-static po_status run(search *s) {
+static po_status run(search *s, double *x) {
   const size_t pieces = s->f->edges - 1;
   for (size_t i = 0; i < pieces; ++i) {
-    const size_t k = s->order == DESCENDING ? pieces - 1 - i : i;
+    const size_t k = s->last ? pieces - 1 - i : i;
     search_in(s, s->f->edge[k], s->f->edge[k + 1]);
-    search_corner(s, s->order == DESCENDING ? k : k + 1);
+    search_corner(s, s->last ? k : k + 1);
   }
   if (s->stopped)
     return s->stopped;
@@ -102,30 +95,18 @@ static po_status run(search *s) {
         "more than %d intervals of the contact radius may have a minimum: expected fewer "
         "waves in the contact",
         MOST_INTERVALS);
+  if (!s->found)
+    return po_fail(PO_NOT_FOUND, "the curve has no minimum");
+  *x = s->x;
   return PO_OK;
 }
 
-static po_status run_for_one(search *s) {
-  const po_status status = run(s);
-  if (status)
-    return status;
-  return s->count ? PO_OK : po_fail(PO_NOT_FOUND, "the curve has no minimum");
-}
-
 po_status po_minima_least(const po_minima_function *function, double *x) {
-  search s = {.f = function, .order = LOWEST_FIRST, .most = INFINITY, .x = x, .room = 1};
-  return run_for_one(&s);
+  search s = {.f = function, .most = INFINITY};
+  return run(&s, x);
 }
 
 po_status po_minima_last(const po_minima_function *function, double most, double *x) {
-  search s = {.f = function, .order = DESCENDING, .most = most, .x = x, .room = 1};
-  return run_for_one(&s);
-}
-
-po_status po_minima_all(const po_minima_function *function, double most, size_t room, double *x,
-                        size_t *count) {
-  search s = {.f = function, .order = ASCENDING, .most = most, .x = x, .room = room};
-  const po_status status = room > 0 ? run(&s) : PO_OK;
-  *count = s.count;
-  return status;
+  search s = {.f = function, .last = true, .most = most};
+  return run(&s, x);
 }

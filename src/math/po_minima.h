@@ -29,10 +29,4 @@ typedef struct {
 po_status po_minima_least(const po_minima_function *function, double *x);
 po_status po_minima_last(const po_minima_function *function, double most, double *x);
 
-/* Finds all minima whose value is at most `most`, in ascending order. Given: room for so many.
- * Returned: x, *count; if there are more than room, the first ones. Status: as above, but none is
- * PO_OK. */
-po_status po_minima_all(const po_minima_function *function, double most, size_t room, double *x,
-                        size_t *count);
-
 #endif

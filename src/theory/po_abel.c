@@ -4,8 +4,6 @@
 
 #include "po_abel_parts.h"
 #include "po_elementary.h"
-#include "po_initial_gap.h"
-#include "po_integral.h"
 #include "po_profile_kind.h"
 #include "po_special.h"
 #include "po_struve.h"
@@ -203,59 +201,4 @@ double po_abel_detail(const po_scene *scene, double x) {
   const po_profile_table *t = table_of(scene);
   const size_t next = t ? po_abel_table_next(t, x) : 0;
   return t && next < t->rows ? fmin(detail, t->r[next] - t->r[next - 1]) : detail;
-}
-
-typedef struct {
-  const po_scene *scene;
-  double x;
-  bool press;
-} slope_integral;
-
-static double of_slope(double t, void *data) {
-  const slope_integral *q = data;
-  const double part = po_sin(t), r = q->x * part;
-  return po_initial_gap_slope(q->scene, r) * (q->press ? part * part : 1.0);
-}
-
-/* Accuracy of each piece, relative. */
-static const double PIECE_ACCURACY = 1e-13;
-
-/* The end of the piece of the quadrature that begins at r: a joint of the profile, half a wave.
- */
-static double piece_end(const po_scene *scene, double r, double x) {
-  double end = fmin(x, po_profile_next_joint(&scene->profile, r));
-  for (size_t k = 0; k < po_scene_waves(scene); ++k)
-    end = fmin(end, r + 0.5 * po_scene_wave(scene, k).length);
-  return end;
-}
-
-/* The angle whose sine is r/x */
-static double angle_of(double r, double x) {
-  return po_atan2(r, sqrt((x - r) * (x + r)));
-}
-
-static po_status integrate(slope_integral *q, double *sum) {
-  *sum = 0.0;
-  for (double r = 0.0; r < q->x;) {
-    const double to = piece_end(q->scene, r, q->x);
-    double part;
-    if (po_integrate(of_slope, q, angle_of(r, q->x), angle_of(to, q->x), 0.0, PIECE_ACCURACY,
-                     &part))
-      return po_fail(PO_NOT_CONVERGED, "the quadrature of the slope of the gap failed at radius %g",
-                     q->x);
-    *sum += part;
-    r = to;
-  }
-  return PO_OK;
-}
-
-po_status po_abel_by_quadrature(const po_scene *scene, double x, po_abel *abel) {
-  slope_integral q = {scene, x, false};
-  double g = 0.0, press = 0.0;
-  po_status status = integrate(&q, &g);
-  q.press = true;
-  if (!status)
-    status = integrate(&q, &press);
-  *abel = (po_abel){x * g, NAN, x * x * press};
-  return status;
 }

@@ -23,12 +23,6 @@ typedef struct {
 po_abel po_abel_of_profile(const po_scene *scene, double x);
 po_abel po_abel_at(const po_scene *scene, double x);
 
-/* The same by adaptive quadrature over the slope of the initial gap alone, which is an independent
- * route: g(x) = x times the integral of f'(x sin t) over t from 0 to pi/2, and the press is the
- * integral of (x sin t)^2 f'(x sin t). Returned: the rate is NAN. Status: PO_NOT_CONVERGED,
- * PO_NO_MEMORY. Accuracy: 1e-11 relative. */
-po_status po_abel_by_quadrature(const po_scene *scene, double x, po_abel *abel);
-
 /* By how much dg/dx of a table without waves falls at most from its value at `low` up to any radius
  * in [low, high]; INFINITY for other profiles. */
 double po_abel_greatest_drop(const po_scene *scene, double low, double high);

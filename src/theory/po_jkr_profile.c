@@ -1,12 +1,10 @@
 #include "po_jkr_profile.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "po_abel.h"
 #include "po_abel_integral.h"
 #include "po_initial_gap.h"
-#include "po_memory.h"
 #include "po_minima.h"
 
 static const po_contact NONE = {NAN, NAN, NAN};
@@ -186,26 +184,6 @@ po_status po_jkr_profile_pull_off(const po_scene *scene, po_given given, po_cont
   status = po_minima_least(&f, &a);
   if (!status)
     *least = po_jkr_profile_at(scene, a);
-  return status;
-}
-
-po_status po_jkr_profile_minima(const po_scene *scene, po_given given, size_t room,
-                                po_contact *minimum, size_t *count) {
-  const curve c = curve_of(scene, given);
-  double edge[MOST_EDGES];
-  size_t edges;
-  *count = 0;
-  po_status status = find_edges(&c, edge, &edges);
-  if (status)
-    return status;
-  double *a = po_allocate(room, sizeof *a);
-  if (!a)
-    return PO_NO_MEMORY;
-  const po_minima_function f = function_of(&c, edge, edges);
-  status = po_minima_all(&f, 0.0, room, a, count);
-  for (size_t k = 0; k < *count; ++k)
-    minimum[k] = po_jkr_profile_at(scene, a[k]);
-  free(a);
   return status;
 }
 

@@ -34,11 +34,6 @@ po_status po_jkr_profile_energy(const po_scene *scene, double contact_radius, do
  * radius, measured on every row of reference/jkr_profiles.csv. */
 po_status po_jkr_profile_pull_off(const po_scene *scene, po_given given, po_contact *least);
 
-/* All tensile minima of the load, or all minima of the approach below 0, in the order of their
- * contact radii. Given: room for so many. Returned: *count of them. Status: as above. */
-po_status po_jkr_profile_minima(const po_scene *scene, po_given given, size_t room,
-                                po_contact *minimum, size_t *count);
-
 /* The largest contact radius, eps, at which the load has a minimum that is not above `load` < 0,
  * with the adhesive part multiplied by 1 + excess. Returned: 0 if there is none; NaN if it cannot
  * be computed. */
