@@ -175,7 +175,7 @@ static void fill_kernel(const po_hierarchy *h, po_panel target, po_panel source,
   for (size_t j = 0; j < N; ++j) { /* symmetric: a row of the transpose is a column */
     for (size_t i = 0; i < N; ++i)
       apart[i] = between + (po_panel_size(source) * x[j] - po_panel_size(target) * x[i]);
-    po_kernel_row_apart(s[j], r, apart, N, block + N * j);
+    po_kernel_row(s[j], r, apart, N, block + N * j);
   }
 }
 
@@ -197,7 +197,7 @@ static void fill_halves(po_panel cell, double *block) {
     right[i] = begin + half + half * x[i];
   }
   for (size_t j = 0; j < PO_SKELETON_NODES; ++j)
-    po_kernel_row(right[j], left, PO_SKELETON_NODES, block + PO_SKELETON_NODES * j);
+    po_kernel_row(right[j], left, NULL, PO_SKELETON_NODES, block + PO_SKELETON_NODES * j);
 }
 
 /* The block that maps the panel to infinity to the panel a, or b to it, or, without either, to

@@ -100,7 +100,7 @@ uint64_t po_panel_influence(const po_panel_rule *rule, po_panel_span panel, doub
   if (r == 0.0 || po_near_is_far(x0, order)) { /* on the axis G s = 2 for all s */
     double node[PO_PANEL_MAX_ORDER], weight[PO_PANEL_MAX_ORDER], length[PO_PANEL_MAX_ORDER];
     po_panel_nodes(rule, panel, node, weight, length);
-    po_kernel_row(r, node, order, value);
+    po_kernel_row(r, node, NULL, order, value);
     for (size_t j = 0; j < order; ++j)
       row[j * stride] = value[j] * weight[j];
     return order;

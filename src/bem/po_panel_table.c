@@ -150,7 +150,7 @@ static void far_block(const po_panel_table *t, po_panel target, po_panel source,
     double apart[PO_TABLE_ORDER];
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
       apart[j] = between + (x - size * t->rule.node[j]);
-    po_kernel_row_apart(from + x, s, apart, PO_TABLE_ORDER, block[i]);
+    po_kernel_row(from + x, s, apart, PO_TABLE_ORDER, block[i]);
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
       block[i][j] *= weight[j];
   }

@@ -70,7 +70,7 @@ static uint64_t add_far(const po_triangle *t, double r, size_t first, size_t las
   double kernel[SWEEP * FAR_POINTS];
   for (size_t begin = first; begin < last; begin += SWEEP) {
     const size_t count = last - begin < SWEEP ? last - begin : SWEEP;
-    po_kernel_row(r, t->point + begin * FAR_POINTS, count * FAR_POINTS, kernel);
+    po_kernel_row(r, t->point + begin * FAR_POINTS, NULL, count * FAR_POINTS, kernel);
     for (size_t e = begin; e < begin + count; ++e) {
       const double length = t->node[e + 1] - t->node[e];
       double rising = 0.0, all = 0.0;
@@ -91,7 +91,7 @@ static uint64_t add_middle(const po_triangle *t, double r, size_t e, double *row
   double s[MIDDLE_POINTS], kernel[MIDDLE_POINTS], rising = 0.0, falling = 0.0;
   for (size_t q = 0; q < MIDDLE_POINTS; ++q)
     s[q] = begin + length * t->middle_node[q];
-  po_kernel_row(r, s, MIDDLE_POINTS, kernel);
+  po_kernel_row(r, s, NULL, MIDDLE_POINTS, kernel);
   for (size_t q = 0; q < MIDDLE_POINTS; ++q) {
     const double share = length * t->middle_weight[q] * kernel[q] * s[q];
     rising += share * t->middle_node[q];

@@ -71,25 +71,13 @@ void po_kernels(size_t n, const double *sum, const double *difference, double *k
   }
 }
 
-void po_kernel_row(double r, const double *s, size_t n, double *kernel) {
+void po_kernel_row(double r, const double *s, const double *apart, size_t n, double *kernel) {
   for (size_t first = 0; first < n; first += BLOCK) {
     const size_t count = n - first < BLOCK ? n - first : BLOCK;
     double a[BLOCK], b[BLOCK];
     for (size_t j = 0; j < count; ++j) {
       a[j] = r + s[first + j];
-      b[j] = fabs(r - s[first + j]);
-    }
-    kernel_block(count, a, b, kernel + first);
-  }
-}
-
-void po_kernel_row_apart(double r, const double *s, const double *apart, size_t n, double *kernel) {
-  for (size_t first = 0; first < n; first += BLOCK) {
-    const size_t count = n - first < BLOCK ? n - first : BLOCK;
-    double a[BLOCK], b[BLOCK];
-    for (size_t j = 0; j < count; ++j) {
-      a[j] = r + s[first + j];
-      b[j] = fabs(apart[first + j]);
+      b[j] = fabs(apart ? apart[first + j] : r - s[first + j]);
     }
     kernel_block(count, a, b, kernel + first);
   }

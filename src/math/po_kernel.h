@@ -17,12 +17,10 @@ double po_kernel(double sum, double difference);
 /* The same for n sums and differences, none of which is 0. */
 void po_kernels(size_t n, const double *sum, const double *difference, double *kernel);
 
-/* Eq 12 for one r and n radii s, none of which equals r: kernel[j] = G(r, s[j]). */
-void po_kernel_row(double r, const double *s, size_t n, double *kernel);
-
-/* The same with the differences r - s given: those of radii that are close to each other have lost
- * their digits. Given: apart, n differences. */
-void po_kernel_row_apart(double r, const double *s, const double *apart, size_t n, double *kernel);
+/* Eq 12 for one r and n radii s, none of which equals r: kernel[j] = G(r, s[j]). Given: apart, the
+ * differences r - s, where those of radii that are close to each other would lose their digits;
+ * NULL: they are computed. */
+void po_kernel_row(double r, const double *s, const double *apart, size_t n, double *kernel);
 
 /* F(c, r) of Eq A2. By Eq A1, (4/pi) F is the deflection at radius r of a half-space with E* = 1
  * under unit pressure on the disc of radius c. Given: c >= 0, r >= 0. Returned: length, in the unit

@@ -3,17 +3,11 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <math.h>
-#include <threads.h>
 
 #include "po_elementary.h"
 
-static void turn_off(void) {
-  gsl_set_error_handler_off();
-}
-
 void po_gsl_return_errors(void) {
-  static once_flag off = ONCE_FLAG_INIT;
-  call_once(&off, turn_off);
+  gsl_set_error_handler_off();
 }
 
 po_status po_gauss_rule(size_t n, double *node, double *weight) {

@@ -7,10 +7,8 @@
 #include "po_status.h"
 
 /* Turns off the error handler of GSL, so that GSL returns its errors, as the functions of this
- * program expect, instead of ending the program. Later calls have no effect. The handler belongs to
- * the whole process, so the program decides: the command line calls this function first. The closed
- * forms (theory) cause no error of GSL except lack of memory and do not change the handler;
- * po_rigid, which needs it off, calls this function too. */
+ * program expect, instead of ending the program. The handler belongs to the whole process, so the
+ * program decides: the command line calls this function first. The only error is lack of memory. */
 void po_gsl_return_errors(void);
 
 /* The Gauss-Legendre rule on (0, 1), exact for polynomials of degree 2n - 1. Given: 1 <= n <= 64.

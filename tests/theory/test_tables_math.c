@@ -86,7 +86,7 @@ START_TEST(kernel_row_agrees_with_the_table) {
       continue;
     const double value = table_number(&t, row, "value"), three[] = {0.5 * s + 0.1, s, 7 * s + 3};
     double kernel[3];
-    po_kernel_row(r, three, 3, kernel);
+    po_kernel_row(r, three, NULL, 3, kernel);
     /* a radius is rounded by half an ulp; this changes r - s, and G by its slope
      * 4/(pi (r + s) |r - s|) */
     const double inherited = DBL_EPSILON * fmax(r, s) * 4 / (M_PI * (r + s) * fabs(r - s));

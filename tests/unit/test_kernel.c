@@ -27,7 +27,7 @@ START_TEST(kernel_is_eq_12) {
   ck_assert_double_eq(po_kernel(r + s, r - s), po_kernel(s + r, s - r));
   double row[3];
   const double three[3] = {s, 0.5 * s + 0.1 * r, 17.0 * r};
-  po_kernel_row(r, three, 3, row);
+  po_kernel_row(r, three, NULL, 3, row);
   for (int j = 0; j < 3; ++j)
     ck_assert_double_eq_tol(row[j] * (1.0 / po_kernel(r + three[j], r - three[j])), 1.0, 1e-14);
 }
