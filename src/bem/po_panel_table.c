@@ -77,6 +77,22 @@ static void fill_derivative(const po_panel_rule *rule, po_panel_block block) {
                  : rule->barycentric[j] / rule->barycentric[i] / (rule->node[i] - rule->node[j]);
 }
 
+static void fill_legendre(const po_panel_rule *rule, po_legendre *legendre) {
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
+    const double x = 2.0 * rule->node[j] - 1.0;
+    double before = 0.0, now = 1.0;
+    legendre->at_end[0][j] = legendre->at_end[1][j] = 0.0;
+    for (int k = 0; k < PO_TABLE_ORDER; ++k) {
+      legendre->coefficient[k][j] = (2 * k + 1) * rule->weight[j] * now;
+      legendre->at_end[0][j] += k % 2 ? -legendre->coefficient[k][j] : legendre->coefficient[k][j];
+      legendre->at_end[1][j] += legendre->coefficient[k][j];
+      const double next = ((2 * k + 1) * x * now - k * before) / (k + 1);
+      before = now;
+      now = next;
+    }
+  }
+}
+
 /* A table that could not be filled for lack of memory is filled by a later call. */
 static void fill_table(void) {
   if (is_filled || po_panel_rule_fill(PO_TABLE_ORDER, &table.rule))
@@ -88,6 +104,7 @@ static void fill_table(void) {
       po_panel_influence(&table.rule, (po_panel_span){.begin = 0.0, .end = 1.0},
                          node_in_source(&table.rule, AXIS_POSITIONS[k], i), table.axis[k][i], 1);
   fill_derivative(&table.rule, table.derivative);
+  fill_legendre(&table.rule, &table.legendre);
   is_filled = true;
 }
 

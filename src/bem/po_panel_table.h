@@ -21,11 +21,19 @@ typedef double po_panel_block[PO_TABLE_ORDER]
 
 enum { PO_LOG_POSITIONS = 11, PO_AXIS_POSITIONS = 4 };
 
+/* The matrix that computes Legendre coefficients from the nodal values of one panel, and the
+ * weights of these in the values of their polynomial at its begin and its end. */
+typedef struct {
+  double coefficient[PO_TABLE_ORDER][PO_TABLE_ORDER]; /* [degree][node] */
+  double at_end[2][PO_TABLE_ORDER];
+} po_legendre;
+
 typedef struct {
   po_panel_rule rule;
   po_panel_block logarithm[PO_LOG_POSITIONS]; /* integral of ln|x - x_i| l_j(x) over (0, 1) */
   po_panel_block axis[PO_AXIS_POSITIONS];     /* influence of the panel (0, 1) */
   po_panel_block derivative;                  /* of the polynomials l_j at the nodes; 0 at j = i */
+  po_legendre legendre;
 } po_panel_table;
 
 /* Returned: the table, which the first call of any thread computes; NULL with a message if memory

@@ -243,11 +243,7 @@ po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adapt
   po_status status = po_corrector_allocate(&t->c, equilibrium, adaptive);
   for (size_t k = 0; k < count && !status; ++k)
     status = po_solution_allocate(points[k], t->c.capacity);
-  if (adaptive) {
-    const po_panel_rule *rule = &po_panel_table_get()->rule;
-    po_legendre_fill(rule, &t->legendre);
-    t->resolution = (po_resolution){equilibrium, rule, &t->legendre, t->c.domain, allowed};
-  }
+  t->resolution = (po_resolution){equilibrium, t->c.domain, allowed};
   if (!status)
     return PO_OK;
   po_continuation_destroy(t);

@@ -13,7 +13,6 @@ struct po_continuation {
   po_corrector c;
   po_continuation_options options;
   po_resolution resolution;
-  po_legendre legendre;
   po_solution previous, current, next, inner, spare, at_event[PO_MOST_EVENTS];
   po_events events;
   double step;

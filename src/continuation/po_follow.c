@@ -28,7 +28,6 @@ struct po_follower {
   po_equilibrium *e;
   po_corrector c;
   po_resolution resolution;
-  po_legendre legendre;
   po_event_kind of;
   po_predictor_point
       mark[PO_PREDICTOR_MARKS + 1]; /* ring buffer, with one element for the next mark */
@@ -82,9 +81,7 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
     return status;
   }
   f->e->precision = options->precision;
-  const po_panel_rule *rule = &po_panel_table_get()->rule;
-  po_legendre_fill(rule, &f->legendre);
-  f->resolution = (po_resolution){f->e, rule, &f->legendre, f->c.domain, options->allowed};
+  f->resolution = (po_resolution){f->e, f->c.domain, options->allowed};
   return PO_OK;
 }
 

@@ -12,25 +12,10 @@ enum { LAST_COEFFICIENTS = 3, MOST_DEPTH = 6 };
 /* Excess of a parent panel below which it replaces its two halves. */
 static const double PARENT_MARGIN = 0.1;
 
-void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre) {
-  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
-    const double x = 2.0 * rule->node[j] - 1.0;
-    double before = 0.0, now = 1.0;
-    legendre->at_end[0][j] = legendre->at_end[1][j] = 0.0;
-    for (int k = 0; k < PO_TABLE_ORDER; ++k) {
-      legendre->coefficient[k][j] = (2 * k + 1) * rule->weight[j] * now;
-      legendre->at_end[0][j] += k % 2 ? -legendre->coefficient[k][j] : legendre->coefficient[k][j];
-      legendre->at_end[1][j] += legendre->coefficient[k][j];
-      const double next = ((2 * k + 1) * x * now - k * before) / (k + 1);
-      before = now;
-      now = next;
-    }
-  }
-}
-
 /* Largest modulus of the last Legendre coefficients of the nodal values, and of all coefficients.
  */
-static void decay(const po_legendre *legendre, const double *value, double *last, double *largest) {
+static void decay(const double *value, double *last, double *largest) {
+  const po_legendre *legendre = &po_panel_table_get()->legendre;
   *last = *largest = 0.0;
   for (int k = 0; k < PO_TABLE_ORDER; ++k) {
     double sum = 0.0;
@@ -42,7 +27,8 @@ static void decay(const po_legendre *legendre, const double *value, double *last
   }
 }
 
-static double value_at_end(const po_legendre *legendre, int end, const double *value) {
+static double value_at_end(int end, const double *value) {
+  const po_legendre *legendre = &po_panel_table_get()->legendre;
   double sum = 0.0;
   for (int j = 0; j < PO_TABLE_ORDER; ++j)
     sum += legendre->at_end[end][j] * value[j];
@@ -60,16 +46,14 @@ static const double SMALL_CHANGE = 0.05;
 /* The error of the polynomial through the nodal tractions at the ends of a panel, where the gap is
  * known from its own polynomial. The coefficients do not show a traction between the end and the
  * first node, as at the tip of a cone under a law of short range. */
-static double error_at_ends(const po_legendre *legendre, const po_law *law, const double *gap,
-                            const double *traction) {
+static double error_at_ends(const po_law *law, const double *gap, const double *traction) {
   double error = 0.0;
   for (int end = 0; end < 2; ++end) {
     const double nearest = gap[end ? PO_TABLE_ORDER - 1 : 0];
-    const double there = po_law_expected_gap(law, value_at_end(legendre, end, gap));
+    const double there = po_law_expected_gap(law, value_at_end(end, gap));
     if (fabs(there - nearest) < SMALL_CHANGE * po_law_size(law, nearest))
       continue;
-    const double missed =
-        fabs(po_law_at(law, there).traction - value_at_end(legendre, end, traction));
+    const double missed = fabs(po_law_at(law, there).traction - value_at_end(end, traction));
     error = missed > error ? missed : error;
   }
   return error;
@@ -111,8 +95,8 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
     traction[j] = p.traction;
     response = fmax(response, fabs(p.slope));
   }
-  decay(r->legendre, traction, &last, &largest);
-  last = fmax(last, SEEN_AT_END * error_at_ends(r->legendre, law, gap, traction));
+  decay(traction, &last, &largest);
+  last = fmax(last, SEEN_AT_END * error_at_ends(law, gap, traction));
   const double length = end - begin, ring = 2.0 / r->e->radius * 0.5 * (begin + end) * length;
   const double felt = fmin(1.0, response * fmax(r->e->coupling * length, ring));
   const double stiffness = response * r->e->coupling * length / (PO_TABLE_ORDER * PO_TABLE_ORDER);
@@ -144,10 +128,11 @@ typedef struct {
 
 static double excess_of_panel(const resolved_field *f, po_panel panel) {
   const po_resolution *r = f->r;
+  const double *node = po_panel_table_get()->rule.node;
   const double begin = r->domain * po_panel_begin(panel), end = r->domain * po_panel_end(panel);
   double gap[PO_TABLE_ORDER];
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
-    gap[i] = f->field->gap_at(f->field->data, begin + (end - begin) * r->rule->node[i]);
+    gap[i] = f->field->gap_at(f->field->data, begin + (end - begin) * node[i]);
   return excess_of(r, begin, end, gap);
 }
 

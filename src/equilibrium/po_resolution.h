@@ -6,15 +6,6 @@
 #include "po_adaptive.h"
 #include "po_equilibrium.h"
 
-/* The matrix that computes Legendre coefficients from the nodal values of one panel, and the
- * weights of these in the values of their polynomial at its begin and its end. */
-typedef struct {
-  double coefficient[PO_TABLE_ORDER][PO_TABLE_ORDER]; /* [degree][node] */
-  double at_end[2][PO_TABLE_ORDER];
-} po_legendre;
-
-void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre);
-
 /* A gap as a function of the radius, whose traction is to be resolved. */
 typedef struct {
   double (*gap_at)(void *data, double r); /* H at r, eps, inside the domain */
@@ -29,8 +20,6 @@ typedef struct {
 
 typedef struct {
   const po_equilibrium *e;
-  const po_panel_rule *rule;
-  const po_legendre *legendre;
   double domain; /* eps */
   po_allowance allowed;
 } po_resolution;

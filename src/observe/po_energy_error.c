@@ -227,10 +227,8 @@ static double error_of_average(const po_scene *scene, double domain, const po_so
 
 /* The error of the polynomial of the panel to infinity, from its last Legendre coefficients. */
 static double error_of_polynomial(const po_scene *scene, double domain, const po_solution *p) {
-  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  const po_panel_table *table = po_panel_table_get();
   const double decay = po_panel_decay(scene);
-  po_legendre legendre;
-  po_legendre_fill(rule, &legendre);
   double last = 0.0;
   for (int k = PO_TABLE_ORDER - 3; k < PO_TABLE_ORDER; ++k) {
     double sum = 0.0;
@@ -238,7 +236,7 @@ static double error_of_polynomial(const po_scene *scene, double domain, const po
       const double gap = p->state[p->n - PO_TABLE_ORDER + j];
       const double traction =
           po_law_averaged(&scene->law, gap, po_initial_gap_amplitude(scene)).traction;
-      sum += legendre.coefficient[k][j] * traction / po_pow(rule->node[j], decay);
+      sum += table->legendre.coefficient[k][j] * traction / po_pow(table->rule.node[j], decay);
     }
     last = fmax(last, fabs(sum));
   }
