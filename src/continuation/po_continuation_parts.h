@@ -47,9 +47,10 @@ po_status po_continuation_want_mesh(po_continuation *t, po_solution *p);
 po_status po_continuation_solve(po_continuation *t, po_prediction *p, double distance, bool keep,
                                 double precision, po_solution *out, double *error);
 
-/* The same from the guess of the corrector, with the present factors. */
-po_status po_continuation_solve_guessed(po_continuation *t, double distance, double precision,
-                                        po_solution *out);
+/* The same from the guess of the corrector; repeated on a new mesh while the solution is not
+ * resolved. Given: keep, whether the present factors are tried first. */
+po_status po_continuation_solve_guessed(po_continuation *t, double distance, bool keep,
+                                        double precision, po_solution *out);
 
 /* Solves the current point again on the present mesh, if its arclength functional differs there
  * from that on its own mesh by more than a step: no shorter step would converge then. The next step

@@ -78,13 +78,11 @@ static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_me
   return status;
 }
 
-/* Solves from the guess, and repeats that on a new mesh while the solution is not resolved. Status:
- * PO_NOT_CONVERGED, also if no mesh resolves the solution. */
-static po_status solve_resolved(po_continuation *t, double distance, bool keep_factors,
-                                double precision, po_solution *out) {
+po_status po_continuation_solve_guessed(po_continuation *t, double distance, bool keep,
+                                        double precision, po_solution *out) {
   po_status status = PO_OK;
   for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT && !status; ++mesh) {
-    status = po_corrector_solve(&t->c, &t->current, distance, keep_factors, precision, out);
+    status = po_corrector_solve(&t->c, &t->current, distance, keep, precision, out);
     if (status || !po_continuation_moves(t) ||
         po_resolution_excess(&t->resolution, out->panels, out->state) <= 1.0)
       return status;
@@ -101,16 +99,11 @@ po_status po_continuation_solve(po_continuation *t, po_prediction *p, double dis
   if (status)
     return status;
   const size_t meshes = t->c.e->work.meshes;
-  status = solve_resolved(t, distance, keep, precision, out);
+  status = po_continuation_solve_guessed(t, distance, keep, precision, out);
   const bool same_nodes = t->c.e->work.meshes == meshes;
   if (!status && error)
     *error = po_prediction_error(p, same_nodes ? t->c.guess : NULL, out);
   return status;
-}
-
-po_status po_continuation_solve_guessed(po_continuation *t, double distance, double precision,
-                                        po_solution *out) {
-  return solve_resolved(t, distance, true, precision, out);
 }
 
 /* Error of the tangent with which the next step, if as long, predicts the place of a contact edge:

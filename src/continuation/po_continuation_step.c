@@ -119,7 +119,7 @@ static po_status solve_inner(void *data, double at, bool roughly, po_sample *sam
   po_status status;
   if (fabs(at - t->inner_at) < ON_TANGENT * whole && serves_inner_mesh(t, at)) {
     guess_on_tangent(t, at);
-    status = po_continuation_solve_guessed(t, at, precision, &t->inner);
+    status = po_continuation_solve_guessed(t, at, true, precision, &t->inner);
   } else {
     po_prediction p;
     po_prediction_make(t->c.e->scene, t->c.domain, &t->current, &t->next, at, &p);
