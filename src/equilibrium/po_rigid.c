@@ -188,35 +188,29 @@ static po_status integrate(integral *q, double *sum) {
                 : PO_OK;
 }
 
-/* (2/R) times the integral of each integrand over r dr. */
-static po_status integrate_each(const po_scene *scene, double approach, const int *of, int count,
-                                double *value) {
-  po_status status = PO_OK;
-  for (int k = 0; k < count; ++k) {
-    integral q = {.scene = scene,
-                  .approach = approach,
-                  .of = of[k],
-                  .from_zero = of[k] == ENERGY && po_scene_has_infinite_energy(scene)};
-    double sum = 0.0;
-    if (!status)
-      status = integrate(&q, &sum);
-    value[k] = 2.0 / scene->radius * sum;
-  }
+/* (2/R) times the integral of an integrand over r dr; 0 if it fails. */
+static po_status integral_of(const po_scene *scene, double approach, int of, double *value) {
+  integral q = {.scene = scene,
+                .approach = approach,
+                .of = of,
+                .from_zero = of == ENERGY && po_scene_has_infinite_energy(scene)};
+  *value = 0.0;
+  const po_status status = integrate(&q, value);
+  *value *= 2.0 / scene->radius;
   return status;
 }
 
 po_status po_rigid_load(const po_scene *scene, double approach, double *load, double *load_rate) {
-  static const int OF[] = {TRACTION, SLOPE};
-  double value[2];
-  const po_status status = integrate_each(scene, approach, OF, 2, value);
-  *load = value[0];
-  *load_rate = -value[1]; /* dH = -d(approach) */
+  double slope = 0.0;
+  po_status status = integral_of(scene, approach, TRACTION, load);
+  if (!status)
+    status = integral_of(scene, approach, SLOPE, &slope);
+  *load_rate = -slope; /* dH = -d(approach) */
   return status;
 }
 
 po_status po_rigid_energy(const po_scene *scene, double approach, double *energy) {
-  static const int OF[] = {ENERGY};
-  return integrate_each(scene, approach, OF, 1, energy);
+  return integral_of(scene, approach, ENERGY, energy);
 }
 
 double po_rigid_approach_of_crest(const po_scene *scene, double load) {
