@@ -203,25 +203,16 @@ po_solution_value po_solution_value_at(const po_solution *p, const po_scene *sce
   return po_solution_value_near(p, scene, domain, r, &panel);
 }
 
-typedef struct {
-  const po_solution *p;
-  const po_scene *scene;
-  double domain;
-  size_t panel;
-} edge_search;
-
 /* The gap less that of the greatest tension, at a radius on the panel. */
 static double beyond_peak(double r, const void *data) {
-  const edge_search *s = data;
-  size_t panel = s->panel;
-  return po_solution_gap_near(s->p, s->scene, s->domain, r, &panel) -
-         po_law_peak_gap(&s->scene->law);
+  po_solution_field field = *(const po_solution_field *)data;
+  return po_solution_gap(&field, r) - po_law_peak_gap(&field.scene->law);
 }
 
 /* Finds the contact edge between two nodes on the polynomials of the panels. */
 static void add_edge(po_solution *p, const po_scene *scene, double domain, size_t node, double low,
                      double high) {
-  const edge_search s = {p, scene, domain, node / PO_TABLE_ORDER};
+  const po_solution_field s = {p, scene, domain, node / PO_TABLE_ORDER};
   double at = po_root(beyond_peak, &s, low, high);
   if (isnan(at)) /* one of the nodes is at the edge, but for rounding */
     at = fabs(beyond_peak(low, &s)) < fabs(beyond_peak(high, &s)) ? low : high;
