@@ -13,28 +13,28 @@ static _Thread_local char message[MESSAGE_LENGTH];
 /* The first message of PO_NO_MEMORY since po_no_memory_forget; "" if there is none. */
 static _Thread_local char first_no_memory[MESSAGE_LENGTH];
 
+static const struct {
+  po_status status;
+  const char *identifier, *text;
+} STATUSES[] = {
+#define PO_STATUS_ROW(name, value, text) {name, #name, text},
+    PO_STATUS_LIST(PO_STATUS_ROW)
+#undef PO_STATUS_ROW
+};
+enum { STATUS_COUNT = sizeof STATUSES / sizeof *STATUSES };
+
 const char *po_status_text(po_status status) {
-  switch (status) {
-#define PO_STATUS_TEXT(name, value, text)                                                          \
-  case name:                                                                                       \
-    return text;
-    PO_STATUS_LIST(PO_STATUS_TEXT)
-#undef PO_STATUS_TEXT
-  }
+  for (size_t k = 0; k < STATUS_COUNT; ++k)
+    if (STATUSES[k].status == status)
+      return STATUSES[k].text;
   return "unknown status";
 }
 
 const char *po_status_name(po_status status) {
   static _Thread_local char name[64];
   const char *upper = "PO_UNKNOWN";
-  switch (status) {
-#define PO_STATUS_NAME(id, value, text)                                                            \
-  case id:                                                                                         \
-    upper = #id;                                                                                   \
-    break;
-    PO_STATUS_LIST(PO_STATUS_NAME)
-#undef PO_STATUS_NAME
-  }
+  for (size_t k = 0; k < STATUS_COUNT; ++k)
+    upper = STATUSES[k].status == status ? STATUSES[k].identifier : upper;
   size_t i = 0;
   for (const char *c = upper + 3; *c && i + 1 < sizeof name; ++c)
     name[i++] = (char)tolower((unsigned char)*c);
@@ -43,13 +43,11 @@ const char *po_status_name(po_status status) {
 }
 
 bool po_status_find(const char *name, po_status *status) {
-#define PO_STATUS_MATCH(id, value, text)                                                           \
-  if (name && strcmp(name, po_status_name(id)) == 0) {                                             \
-    *status = id;                                                                                  \
-    return true;                                                                                   \
-  }
-  PO_STATUS_LIST(PO_STATUS_MATCH)
-#undef PO_STATUS_MATCH
+  for (size_t k = 0; k < STATUS_COUNT && name; ++k)
+    if (strcmp(name, po_status_name(STATUSES[k].status)) == 0) {
+      *status = STATUSES[k].status;
+      return true;
+    }
   return false;
 }
 
