@@ -1,5 +1,5 @@
-/* The contact of one equilibrium: its outermost contact edge, with an error, and its contact
- * annuli.
+/* The contact of one equilibrium: its outermost contact edge, with an error, its contact annuli,
+ * and gap and traction over the radius.
  *
  * A contact edge is a radius at which the gap passes that of the greatest tension, H = 3^(1/6) - 1
  * (after Eq 9; other laws: po_law_peak_gap). Between nodes the gap is the sum of the exact initial
@@ -14,6 +14,7 @@
 #include "po_result.h"
 #include "po_scene.h"
 #include "po_status.h"
+#include "po_surface.h"
 
 /* The gap of one equilibrium as a function of the radius. */
 typedef struct {
@@ -63,4 +64,17 @@ po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_
 /* Fills the list of annuli. Given: annuli, zeroed or filled before. Status: PO_NO_MEMORY;
  * PO_OUT_OF_NODES if there are too many annuli. */
 po_status po_contact_annuli_fill(const po_contact_gap *gap, po_contact_annuli *annuli);
+
+/* Computes gap and traction P = mu p at the nodes of the core, for a rigid scene from the initial
+ * gap at the nodes of the surface (if mu is 0, the traction is P/mu). Returned: *count points in
+ * *profile, which is resized. Status: PO_NO_MEMORY. */
+po_status po_contact_profile_fill(const po_scene *scene, const po_surface *surface,
+                                  const po_branch_point *point, po_profile_point **profile,
+                                  size_t *count);
+
+/* The same, and the contact annuli. Returned: in the result, replacing an earlier profile. Status:
+ * PO_NO_MEMORY. */
+po_status po_contact_profile_take(const po_scene *scene, const po_surface *surface,
+                                  const po_branch_point *point, po_result *result);
+
 #endif

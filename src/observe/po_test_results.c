@@ -1,8 +1,10 @@
-#include "po_test_results.h"
+/* What a test along the traced branch gives: the preload that belongs to the pull-off, the greatest
+ * pull-off force of all preloads, staircases, and loops of loading and unloading. */
 
 #include <math.h>
 
 #include "po_loop.h"
+#include "po_reader.h"
 #include "po_staircase.h"
 
 /* If unloading leads to a smaller approach than that at which the trace began, the trace is
@@ -176,14 +178,14 @@ static double least_approach(const po_path *path, double stiffness) {
                                                          : least;
 }
 
-/* Whether unloading leads to a smaller approach than the trace began with. Then a->begin is set,
+/* Whether unloading leads to a smaller approach than the trace began with. Then *begin is set,
  * and the trace must be repeated. */
-static bool begins_late(const po_request *request, const po_path *path, po_attempt *a) {
+static bool begins_late(const po_request *request, const po_path *path, double *begin) {
   const unsigned paths = PO_WANT_HYSTERESIS | (isnan(request->stiffness) ? 0 : PO_WANT_PRELOAD);
   const double least = least_approach(path, request->stiffness);
   if (!(request->want & paths) || path->count == 0 || least >= path->point[0].approach)
     return false;
-  a->begin = START_GROWTH * least;
+  *begin = START_GROWTH * least;
   return true;
 }
 
@@ -202,11 +204,11 @@ static po_status read_hysteresis(const po_reader *reader, const po_path *path) {
   return status;
 }
 
-po_status po_test_results(const po_reader *reader, const po_path *path, po_attempt *a) {
+po_status po_test_results(const po_reader *reader, const po_path *path, double *begin) {
   const po_request *request = reader->request;
   po_status status =
       read_pressed(request, path, &reader->special.greatest, &reader->stopping, reader->result);
-  if (!status && !begins_late(request, path, a) && (request->want & PO_WANT_HYSTERESIS))
+  if (!status && !begins_late(request, path, begin) && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(reader, path);
   return status;
 }

@@ -8,7 +8,6 @@
 #include "po_initial_gap.h"
 #include "po_reader.h"
 #include "po_rigid_trace.h"
-#include "po_test_results.h"
 #include "po_watch.h"
 
 /* Greatest allowed distance of a wanted curve from the straight lines between its points, in eps
@@ -209,7 +208,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
     status = lacks_minimum(request, &reader);
   const po_path path = {reader.points.path, reader.points.path_count};
   if (!status)
-    status = po_test_results(&reader, &path, a);
+    status = po_test_results(&reader, &path, &a->begin);
 done:
   a->unmet_folds = reader.special.unmet_folds;
   po_reader_end(&reader);
