@@ -50,23 +50,18 @@ bool po_adjoint_sensitivity(const po_scene *scene, const po_surface *surface, co
   return true;
 }
 
-/* Radii with weights, whose sum with a change of the gap is the change of the load. */
+/* Their sum with a change of the gap is the change of the load. */
 typedef struct {
-  double *r, *weight;
-  size_t count, r_room, weight_room;
+  po_gap_weight *list;
+  size_t count, room;
 } weights;
 
 static po_status add_weight(weights *w, double r, double weight) {
-  double *radii = po_grow(w->r, w->count, &w->r_room, sizeof *radii);
-  if (radii)
-    w->r = radii;
-  double *values = po_grow(w->weight, w->count, &w->weight_room, sizeof *values);
-  if (values)
-    w->weight = values;
-  if (!radii || !values)
+  po_gap_weight *list = po_grow(w->list, w->count, &w->room, sizeof *list);
+  if (!list)
     return PO_NO_MEMORY;
-  w->r[w->count] = r;
-  w->weight[w->count++] = weight;
+  w->list = list;
+  list[w->count++] = (po_gap_weight){r, weight};
   return PO_OK;
 }
 
@@ -118,9 +113,7 @@ po_status po_adjoint_noise(const po_scene *scene, const po_surface *surface,
   if (!o->noise.change)
     status = PO_NO_MEMORY;
   if (!status)
-    status =
-        po_profile_table_noise(table, w.count, w.r, w.weight, &o->noise.deviation, o->noise.change);
-  free(w.r);
-  free(w.weight);
+    status = po_profile_table_noise(table, w.count, w.list, &o->noise.deviation, o->noise.change);
+  free(w.list);
   return status;
 }

@@ -51,12 +51,17 @@ po_status po_profile_table_read(const char *path, double scale, double smooth,
 /* The number of rows of the file. */
 size_t po_profile_table_points(const po_profile_table *table);
 
+/* A radius, eps, and the weight of the gap there. */
+typedef struct {
+  double r, weight;
+} po_gap_weight;
+
 /* The standard deviation that noise causes in the sum of weight times gap over some radii. Given: a
- * smoothed table; r and weight, count. Returned: deviation; change, 2 rows, of the gaps and then of
+ * smoothed table; weights, count. Returned: deviation; change, 2 rows, of the gaps and then of
  * the slopes: the most probable one by which the sum grows by the deviation. Status: PO_NO_MEMORY.
  */
-po_status po_profile_table_noise(const po_profile_table *table, size_t count, const double *r,
-                                 const double *weight, double *deviation, double *change);
+po_status po_profile_table_noise(const po_profile_table *table, size_t count,
+                                 const po_gap_weight *weights, double *deviation, double *change);
 
 /* A smoothed table whose gaps and slopes are changed by a multiple of such a change, to be passed
  * to po_profile_table_free. Status: PO_NO_MEMORY. */

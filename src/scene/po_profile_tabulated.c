@@ -126,27 +126,27 @@ static po_status check(const po_profile *profile) {
   return po_profile_require_positive(profile, PO_TABLE_SCALE);
 }
 
-po_status po_profile_table_noise(const po_profile_table *t, size_t count, const double *r,
-                                 const double *weight, double *deviation, double *change) {
+po_status po_profile_table_noise(const po_profile_table *t, size_t count,
+                                 const po_gap_weight *weights, double *deviation, double *change) {
   double *const by_gap = change, *const by_slope = change + t->rows;
   const size_t last = t->rows - 1;
   memset(change, 0, 2 * t->rows * sizeof *change);
   for (size_t i = 0; i < count; ++i) {
-    const double ratio = r[i] / t->r[last];
+    const double r = weights[i].r, weight = weights[i].weight, ratio = r / t->r[last];
     if (ratio >= 1.0) { /* gap (r/end)^(end slope/gap) */
-      const double power = weight[i] * po_pow(ratio, t->growth), log = po_log(ratio);
+      const double power = weight * po_pow(ratio, t->growth), log = po_log(ratio);
       by_gap[last] += power * (1.0 - t->growth * log);
       by_gap[0] -= power * (1.0 - t->growth * log);
       by_slope[last] += power * t->r[last] * log;
       continue;
     }
-    const size_t k = interval_of(t, r[i]);
-    const po_hermite w = po_hermite_at(r[i] - t->r[k], t->r[k + 1] - t->r[k]);
-    by_gap[k] += weight[i] * w.f0;
-    by_gap[k + 1] += weight[i] * w.f1;
-    by_slope[k] += weight[i] * w.d0;
-    by_slope[k + 1] += weight[i] * w.d1;
-    by_gap[0] -= weight[i];
+    const size_t k = interval_of(t, r);
+    const po_hermite w = po_hermite_at(r - t->r[k], t->r[k + 1] - t->r[k]);
+    by_gap[k] += weight * w.f0;
+    by_gap[k + 1] += weight * w.f1;
+    by_slope[k] += weight * w.d0;
+    by_slope[k + 1] += weight * w.d1;
+    by_gap[0] -= weight;
   }
   return po_smoothing_deviation(&t->smoothing, by_gap, by_slope, deviation);
 }
