@@ -2,6 +2,7 @@
 #include <stdint.h>
 
 #include "po_elementary.h"
+#include "po_widths.h"
 
 /* 3/2 2^52: adding it rounds a number below FEW = 2^51 to the nearest whole number. */
 static const double TO_WHOLE = 6755399441055744.0, FEW = 0x1p51;
@@ -79,22 +80,6 @@ static inline po_two rest_of(double x, int64_t *quadrant) {
   return po_two_ordered_sum(second.high, first.low + second.low - quarters * QUARTER[3]);
 }
 
-double po_sin(double x) {
-  int64_t quadrant;
-  if (!isfinite(x))
-    return NAN;
-  const po_two t = rest_of(x, &quadrant);
-  return x == 0.0 ? x : sin_in_quadrant(t, quadrant);
-}
-
-double po_cos(double x) {
-  int64_t quadrant;
-  if (!isfinite(x))
-    return NAN;
-  const po_two t = rest_of(x, &quadrant);
-  return sin_in_quadrant(t, quadrant + 1);
-}
-
 /* pi x less a multiple of pi/2. pi has a part of 26 bits and the rest. */
 static inline po_two rest_of_half_turns(double x, int64_t *quadrant) {
   static const double PI_HIGH = 3.1415926218032837, PI_LOW = 3.178650954705639e-08;
@@ -105,20 +90,30 @@ static inline po_two rest_of_half_turns(double x, int64_t *quadrant) {
   return po_two_ordered_sum(high * PI_HIGH, high * PI_LOW + (part - high) * (PI_HIGH + PI_LOW));
 }
 
-double po_sinpi(double x) {
+/* The sine of x, a quarter of a turn farther for the cosine. Given: rest, one of the functions
+ * above. */
+PO_INLINE double sine(double x, po_two (*rest)(double x, int64_t *quadrant), int64_t farther) {
   int64_t quadrant;
   if (!isfinite(x))
     return NAN;
-  const po_two t = rest_of_half_turns(x, &quadrant);
-  return sin_in_quadrant(t, quadrant);
+  const po_two t = rest(x, &quadrant);
+  return sin_in_quadrant(t, quadrant + farther);
+}
+
+double po_sin(double x) {
+  return x == 0.0 ? x : sine(x, rest_of, 0);
+}
+
+double po_cos(double x) {
+  return sine(x, rest_of, 1);
+}
+
+double po_sinpi(double x) {
+  return sine(x, rest_of_half_turns, 0);
 }
 
 double po_cospi(double x) {
-  int64_t quadrant;
-  if (!isfinite(x))
-    return NAN;
-  const po_two t = rest_of_half_turns(x, &quadrant);
-  return sin_in_quadrant(t, quadrant + 1);
+  return sine(x, rest_of_half_turns, 1);
 }
 
 /* atan(k/8) */
