@@ -320,18 +320,18 @@ static void pair_with_tail(po_hierarchy *h) {
 
 /* Makes the cell that contains panels from `first` on, and those below it. Returned: the end of its
  * panels. */
-static uint32_t make_cell(po_hierarchy *h, po_panel place, uint32_t parent, uint32_t first) {
+static uint32_t make_cell(po_hierarchy *h, po_panel place, uint32_t first) {
   const uint32_t at = (uint32_t)h->cells++;
   po_cell *cell = h->cell + at;
-  *cell = (po_cell){place, parent, PO_NO_CELL, first, first + 1};
+  *cell = (po_cell){place, PO_NO_CELL, first, first + 1};
   if (po_panel_equal(h->panels.panel[first], place)) {
     h->cell_of_panel[first] = at;
     return first + 1;
   }
   const po_panel child = {place.level + 1, 2 * place.index};
-  const uint32_t middle = make_cell(h, child, at, first);
+  const uint32_t middle = make_cell(h, child, first);
   cell->right = (uint32_t)h->cells;
-  cell->end = make_cell(h, (po_panel){child.level, child.index + 1}, at, middle);
+  cell->end = make_cell(h, (po_panel){child.level, child.index + 1}, middle);
   return cell->end;
 }
 
@@ -363,7 +363,7 @@ po_status po_hierarchy_mesh(po_hierarchy *h, const po_panels *panels) {
       h->store.count > 4 * (h->kernel.count + h->product.count)) /* blocks of the mesh before */
     block_store_clear(&h->store);
   h->cells = h->kernel.count = h->product.count = 0;
-  make_cell(h, (po_panel){0, 0}, PO_NO_CELL, 0);
+  make_cell(h, (po_panel){0, 0}, 0);
   double node[N];
   for (size_t k = 0; k < panels->count; ++k) {
     place_nodes(h, panels->panel[k], node);

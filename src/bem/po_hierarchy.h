@@ -40,11 +40,11 @@ typedef struct {
 /* No cell, or no panel. */
 #define PO_NO_CELL UINT32_MAX
 
-/* A cell of the tree; its parent precedes it, and its left child follows it. */
+/* A cell of the tree; its left child follows it. */
 typedef struct {
   po_panel place;
-  uint32_t parent, right; /* the right child */
-  uint32_t panel, end;    /* panels of the cell: panel <= k < end */
+  uint32_t right;      /* the right child */
+  uint32_t panel, end; /* panels of the cell: panel <= k < end */
 } po_cell;
 
 static inline bool po_cell_is_panel(const po_cell *cell) {

@@ -198,12 +198,6 @@ static po_status find_tangent(po_corrector *c, const po_solution *from, double p
   return status;
 }
 
-/* Returned: the sign of the determinant of the bordered Jacobian at the factorised state, by the
- * factors and the updates since. */
-static int equilibrium_orientation(const po_equilibrium *e) {
-  return e->orientation * e->secant.sign;
-}
-
 po_status po_corrector_solve(po_corrector *c, const po_solution *from, double distance,
                              bool keep_factors, double precision, po_solution *out) {
   po_status status = PO_NOT_CONVERGED;
@@ -217,8 +211,9 @@ po_status po_corrector_solve(po_corrector *c, const po_solution *from, double di
   }
   if (status)
     return status;
-  return c->direction == 0 || equilibrium_orientation(c->e) * c->direction > 0 ? PO_OK
-                                                                               : PO_NOT_CONVERGED;
+  /* the sign of the determinant, by the factors and the updates since */
+  const int orientation = c->e->orientation * c->e->secant.sign;
+  return c->direction == 0 || orientation * c->direction > 0 ? PO_OK : PO_NOT_CONVERGED;
 }
 
 po_sample po_corrector_sample(const po_solution *from, const po_solution *p) {

@@ -20,21 +20,15 @@ typedef struct {
   const po_scene *scene;
   const po_continuation_options *options;
   double begin;
-  po_status status;
+  po_status *status; /* elsewhere: po_root passes on what is constant */
   bool ended;
 } rigid_tracer;
 
-/* What po_root passes on is constant; the status is not. */
-typedef struct {
-  rigid_tracer *tracer;
-} rate_query;
-
 static double rate_at(double approach, const void *data) {
-  const rate_query *q = data;
-  rigid_tracer *t = q->tracer;
+  const rigid_tracer *t = data;
   double load = 0.0, rate = 0.0;
   const po_status status = po_rigid_load(t->scene, approach, &load, &rate);
-  t->status = t->status ? t->status : status;
+  *t->status = *t->status ? *t->status : status;
   return rate;
 }
 
@@ -43,9 +37,9 @@ static po_branch_point solve(rigid_tracer *t, double approach, po_point_kind kin
   po_branch_point point = {
       .kind = kind, .position = approach - t->begin, .approach = approach, .approach_rate = 1.0};
   const po_status status = po_rigid_load(t->scene, approach, &point.load, &point.load_rate);
-  t->status = t->status ? t->status : status;
-  if (!t->status)
-    t->status = po_rigid_energy(t->scene, approach, &point.energy);
+  *t->status = *t->status ? *t->status : status;
+  if (!*t->status)
+    *t->status = po_rigid_energy(t->scene, approach, &point.energy);
   const double elastic = po_rigid_elastic_effect(t->scene);
   point.load_error = elastic + QUADRATURE_ERROR * (1.0 + fabs(point.load));
   point.approach_error = elastic + LOCATION_ERROR;
@@ -53,14 +47,8 @@ static po_branch_point solve(rigid_tracer *t, double approach, po_point_kind kin
 }
 
 static void visit(rigid_tracer *t, const po_branch_point *point) {
-  if (!t->status && !t->ended && t->options->visit(point, t->options->data))
+  if (!*t->status && !t->ended && t->options->visit(point, t->options->data))
     t->ended = true;
-}
-
-/* The approach between two at which the rate of the load vanishes. */
-static double extremum(rigid_tracer *t, double low, double high) {
-  const rate_query q = {t};
-  return po_root(rate_at, &q, low, high);
 }
 
 /* A station, or the end of the trace, between two points. */
@@ -84,7 +72,7 @@ static void visit_between(rigid_tracer *t, const po_branch_point *from, const po
       found[count++] = (between){station, PO_POINT_STATION};
   }
   if (from->load_rate * to->load_rate < 0.0)
-    found[count++] = (between){extremum(t, from->approach, to->approach),
+    found[count++] = (between){po_root(rate_at, t, from->approach, to->approach),
                                from->load_rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
   qsort(found, count, sizeof *found, by_approach);
   for (size_t k = 0; k < count; ++k) {
@@ -95,7 +83,8 @@ static void visit_between(rigid_tracer *t, const po_branch_point *from, const po
 
 po_status po_rigid_trace(const po_scene *scene, double begin,
                          const po_continuation_options *options) {
-  rigid_tracer t = {.scene = scene, .options = options, .begin = begin};
+  po_status status = PO_OK;
+  rigid_tracer t = {.scene = scene, .options = options, .begin = begin, .status = &status};
   const double end = options->end;
   const double closest = -po_law_closest(&scene->law);
   if (!(end < closest))
@@ -105,10 +94,10 @@ po_status po_rigid_trace(const po_scene *scene, double begin,
         closest);
   po_branch_point from = solve(&t, begin, PO_POINT_STEP);
   visit(&t, &from);
-  while (!t.ended && !t.status && from.approach < end) {
+  while (!t.ended && !status && from.approach < end) {
     double step = po_law_size(&scene->law, -from.approach) * (1.0 - STEP_RATIO);
     po_branch_point to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
-    while (!t.status && po_join_sagitta(&from, &to) > options->largest_sagitta) {
+    while (!status && po_join_sagitta(&from, &to) > options->largest_sagitta) {
       step *= 0.5;
       to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
     }
@@ -116,5 +105,5 @@ po_status po_rigid_trace(const po_scene *scene, double begin,
     visit(&t, &to);
     from = to;
   }
-  return t.status;
+  return status;
 }
