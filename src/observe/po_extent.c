@@ -62,11 +62,6 @@ double po_observe_domain(const po_scene *scene, double core) {
  * the panel to infinity does not represent the far field. */
 static const double GREATEST_CONTACT = 0.9, LARGER_THAN_CONTACT = 1.15;
 
-/* The radius of the core, eps, for a contact of the given radius. */
-static double observe_core_of_contact(double contact_radius) {
-  return LARGER_THAN_CONTACT * contact_radius;
-}
-
 bool po_observe_is_cut_off(const po_scene *scene, double contact_radius, double core) {
   return isinf(scene->outer_radius) && contact_radius > GREATEST_CONTACT * core;
 }
@@ -87,7 +82,7 @@ double po_observe_core(const po_request *request) {
   if (po_request_search(request) == PO_SEARCH_NONE || !request->companion ||
       po_scene_is_simple(scene) || isfinite(scene->outer_radius))
     return core;
-  const double enough = observe_core_of_contact(po_request_bound(request, -SEARCHED_FORCE));
+  const double enough = LARGER_THAN_CONTACT * po_request_bound(request, -SEARCHED_FORCE);
   return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
 }
 

@@ -28,29 +28,10 @@ static void keep_status(po_reader *r, po_status status) {
     r->status = status;
 }
 
-static void take_profile(po_reader *r, const po_branch_point *p) {
-  keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
-}
-
-static po_special_kind kind_of(po_point_kind kind) {
-  switch (kind) {
-  case PO_POINT_APPROACH_MAX:
-    return PO_JUMP_IN;
-  case PO_POINT_APPROACH_MIN:
-    return PO_JUMP_OUT;
-  case PO_POINT_LOAD_MAX:
-    return PO_MAXIMUM;
-  default:
-    return PO_MINIMUM;
-  }
-}
-
-/* An empty list. */
-static po_special_list no_special_points(void) {
-  return (po_special_list){.greatest = {.traced_approach_error = NAN,
-                                        .traced_load_error = NAN,
-                                        .traced_energy_error = NAN}};
-}
+static const po_special_kind KINDS[] = {[PO_POINT_APPROACH_MAX] = PO_JUMP_IN,
+                                        [PO_POINT_APPROACH_MIN] = PO_JUMP_OUT,
+                                        [PO_POINT_LOAD_MAX] = PO_MAXIMUM,
+                                        [PO_POINT_LOAD_MIN] = PO_MINIMUM};
 
 /* fmax ignores NAN. */
 static void note_errors(po_estimate *greatest, const po_estimate *e) {
@@ -72,7 +53,7 @@ static int modes_at_base(double stiffness, const po_branch_point *p) {
 /* Adds a special point to the folds or the extrema of the result. Status: PO_NO_MEMORY. */
 static po_status add_special_point(po_special_list *l, const po_branch_point *p, double stiffness,
                                    const po_estimate *e, po_result *o) {
-  const po_special_kind kind = kind_of(p->kind);
+  const po_special_kind kind = KINDS[p->kind];
   const bool fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
   po_special_point **list = fold ? &o->folds : &o->extrema;
   size_t *count = fold ? &o->fold_count : &o->extremum_count;
@@ -135,7 +116,7 @@ static void note_minimum(po_reader *r, const po_branch_point *p, const po_estima
   const double edge = po_contact_radius(&gap);
   r->result->pull_off.full_disc = edge > 0.0 ? po_contact_disc(&gap) / edge : (double)NAN;
   if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
-    take_profile(r, p);
+    keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
 }
 
 static bool is_kept(po_point_kind kind) {
@@ -148,7 +129,9 @@ po_reader po_reader_begin(const po_request *request, po_result *result, double d
                      .result = result,
                      .deadline = deadline,
                      .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
-                     .special = no_special_points(),
+                     .special = {.greatest = {.traced_approach_error = NAN,
+                                              .traced_load_error = NAN,
+                                              .traced_energy_error = NAN}},
                      .stopping = po_stopping_begin(request)};
 }
 
@@ -372,7 +355,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     show_profile(r, p);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       po_path_is_at(p->approach, r->request->profile_approach))
-    take_profile(r, p);
+    keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
   po_stopping_note_point(&r->stopping, p, &gap, contact_radius);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
     read_special_point(r, p);

@@ -20,20 +20,6 @@ static const double LINEAR = 0.2;
  * others has the greater of its changes: it changes that of all by 0.5 % at most. */
 static const double SMALL = 0.1;
 
-/* The force with an input moved. Returned: its change; NAN if the solve failed. */
-static double change_of(const po_request *moved, double unit, const po_result *result,
-                        po_status *status) {
-  po_result again;
-  double change = (double)NAN;
-  const po_status failed = po_observe_kept(moved, NULL, &again);
-  if (!failed && again.has_pull_off)
-    change = again.pull_off.force * unit - result->pull_off.force;
-  else if (failed == PO_NO_MEMORY || failed == PO_INTERRUPTED || failed == PO_OUT_OF_TIME)
-    *status = failed;
-  po_result_clear(&again);
-  return change;
-}
-
 /* The standard uncertainty. Given: the changes, and the standard uncertainty by the adjoint, NAN:
  * not known. Changes as small as the error of the force are not compared. */
 static double force_of(const po_uncertain *u, double adjoint, double error) {
@@ -52,21 +38,26 @@ typedef struct {
   po_result *result;
 } work;
 
+/* Solves with an input moved. Returned: the change of the force, unchanged if the solve failed. */
 static po_status solve(const work *w, const po_request *moved, double unit, double *change) {
   po_request r = *moved;
+  po_result again;
   r.want = 0;
   r.search = PO_SEARCH_NONE;
   r.stop = w->request->stop;
   r.watch = NULL;
   r.show = NULL;
   r.time_limit = isfinite(w->deadline) ? w->deadline - po_clock_thread() : (double)NAN;
-  po_status status = r.time_limit <= 0.0 ? PO_OUT_OF_TIME : PO_OK;
-  if (!status)
-    *change = change_of(&r, unit, w->result, &status);
-  return status == PO_OUT_OF_TIME
-             ? po_diagnose_out_of_time(w->request,
-                                       "the solves with uncertain inputs are not complete")
-             : status;
+  po_status status = PO_OUT_OF_TIME;
+  if (!(r.time_limit <= 0.0)) {
+    status = po_observe_kept(&r, NULL, &again);
+    if (!status && again.has_pull_off)
+      *change = again.pull_off.force * unit - w->result->pull_off.force;
+    po_result_clear(&again);
+  }
+  if (status == PO_OUT_OF_TIME)
+    return po_diagnose_out_of_time(w->request, "the solves with uncertain inputs are not complete");
+  return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
 }
 
 /* The next source of the result. */
