@@ -68,7 +68,7 @@ for page in (root / "doc").glob("*.md"):
                 or is_path and "NAME" not in word and not word.startswith(("build/", "my/")) and not any((root / folder / word).exists() for folder in (".", "src"))
                 or is_file and word not in files):
             wrong.append(f"{page.name}: {word}")
-rooms = {path.parent.name for path in (root / "src").glob("*/meson.build")}
+rooms = {path.parent.name for path in (root / "src").glob("*/*.c")}
 table = set(re.findall(r"^\| `(\w+)` \|", (root / "doc/architecture.md").read_text(), re.M))
 wrong += [f"architecture.md: room {name}" for name in sorted(rooms ^ table)]
 print("\n".join(wrong))
