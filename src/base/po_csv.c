@@ -186,8 +186,8 @@ static po_status parse(po_csv *csv, size_t size) {
                      "%s:%zu: the byte \\x%02x is a control character or not UTF-8: expected text",
                      csv->path, number, (unsigned char)*bad);
     *stop = '\0';
-    for (char *end = stop; end > line && end[-1] == '\r';)
-      *--end = '\0';
+    for (char *last = stop; last > line && last[-1] == '\r';)
+      *--last = '\0';
     if (is_blank(line))
       blank = blank || !csv->columns ? blank : number;
     else if (!csv->columns && is_header)

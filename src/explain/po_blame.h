@@ -5,7 +5,8 @@
 #include "po_run.h"
 
 typedef struct {
-  const char *side; /* "none", "program", "solver", "solve", "reference", "publication", "pin", "tolerance" */
+  const char *side; /* "none", "program", "solver", "solve", "reference", "publication", "pin",
+                       "tolerance" */
   char why[400];
 } po_blame;
 

@@ -15,9 +15,8 @@ po_status po_bless_check_request(const po_plan *plan, const char *reason);
 po_status po_bless_check(const po_case_run *run, const char *reason);
 
 /* Writes the pins of a case, if it has checks against pins, and the digests of its results, if they
- * are of this program. Pins that no check needs are removed; the headers of earlier blessings remain.
- * A table in which nothing changes is not written.
- * Given: `who`, the name of the user.
+ * are of this program. Pins that no check needs are removed; the headers of earlier blessings
+ * remain. A table in which nothing changes is not written. Given: `who`, the name of the user.
  * Returned: in `report`, one line for each changed pin, with the change, and one a table.
  * Status: as po_bless_check; PO_CANNOT_WRITE (the old pins remain unchanged). */
 po_status po_bless(const po_case_run *run, const char *who, const char *reason, po_text *report);

@@ -32,10 +32,11 @@ json_t *po_json_input(const po_request *request) {
 /* The table of the profile of a scene, which must have one. */
 static json_t *table_of(const po_profile *profile) {
   const po_profile_table *table = profile->table;
-  json_t *object = PO_JSON_OBJECT(
-      {"rows", po_json_count(po_profile_table_points(table))}, {"end_radius", po_json_number(po_profile_end(profile))},
-      {"exponent", po_json_number(table->growth)},
-      {"uncertainty", po_json_number(table->uncertainty)}, {"sha256", po_json_text(table->digest)});
+  json_t *object = PO_JSON_OBJECT({"rows", po_json_count(po_profile_table_points(table))},
+                                  {"end_radius", po_json_number(po_profile_end(profile))},
+                                  {"exponent", po_json_number(table->growth)},
+                                  {"uncertainty", po_json_number(table->uncertainty)},
+                                  {"sha256", po_json_text(table->digest)});
   const po_smoothing *s = &table->smoothing;
   const double unit = 1.0 / table->scale;
   if (s->knots)

@@ -79,7 +79,7 @@ typedef struct {
   po_sensitivity
       force; /* d ln(force) / d ln(parameter); residual and rounding relative to the force */
   po_moved moved;
-  double energy_defect; /* of dU = W d(approach) along the branch, see po_reader.h; NAN: none */
+  double energy_defect;    /* of dU = W d(approach) along the branch, see po_reader.h; NAN: none */
   double energy_defect_at; /* approach where it is largest */
   po_reverse_trace reverse_trace;
   double seconds; /* wall time of the diagnostics */

@@ -1,5 +1,5 @@
-/* Short forms for the rows of a table of fields (po_fields.h). For a list, the structure has a second
- * member, whose name ends in _count.
+/* Short forms for the rows of a table of fields (po_fields.h). For a list, the structure has a
+ * second member, whose name ends in _count.
  *
  * Every scalar is stored as text. The parsers of po_number are stricter than YAML, and messages can
  * quote the text as written. */
