@@ -83,22 +83,28 @@ static const po_field CHECK[] = {
 #define SCENE_KEY(key, name, ...) OPTIONAL_TEXT(name, po_scene_words, values[PO_KEY_##key], NULL),
 #define SCENE_KEYS PO_KEY_ROWS(SCENE_KEY) SCENE_KEY(COUPLING, "coupling", )
 
+// clang-format off
 /* With lengths in m. */
 static const po_field PHYSICAL[] = {
-    PO_SI_ROWS(SCENE_KEY) SCENE_KEY(PROFILE, "profile", ) SCENE_KEY(PROFILE_FILE, "profile_file", )
-        SCENE_KEY(WAVES, "waves", ){0},
+    PO_SI_ROWS(SCENE_KEY)
+    SCENE_KEY(PROFILE, "profile", )
+    SCENE_KEY(PROFILE_FILE, "profile_file", )
+    SCENE_KEY(WAVES, "waves", )
+    {0},
 };
 
 static const po_field SCENE[] = {
-    SCENE_KEYS OPTIONAL_PART(
-        "physical", po_scene_words, physical, PHYSICAL,
-        "a mapping of modulus_pa, work_j_per_m2, distance_m, radius_m and more"),
+    SCENE_KEYS
+    OPTIONAL_PART("physical", po_scene_words, physical, PHYSICAL,
+                  "a mapping of modulus_pa, work_j_per_m2, distance_m, radius_m and more"),
     {0},
 };
 
 static const po_field SETTINGS[] = {
-    SCENE_KEYS{0},
+    SCENE_KEYS
+    {0},
 };
+// clang-format on
 
 static const po_field SWEEP[] = {
     OPTIONAL_TEXT("key", po_sweep, axis.key, A_KEY),
