@@ -76,7 +76,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--random", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("page", type=pathlib.Path)
+    parser.add_argument("page", type=lambda text: pathlib.Path(text).resolve(strict=True))
     parser.add_argument("program")
     chosen = parser.parse_args()
     source = random.Random(chosen.seed)
@@ -86,7 +86,7 @@ def main():
     failed = False
     with Browser() as browser:
         begin = time.monotonic()
-        browser.open(chosen.page.resolve().as_uri())
+        browser.open(chosen.page.as_uri())
         while not browser.evaluate("document.getElementById('summary').textContent"):
             time.sleep(0.01)
         print(f"{chosen.page.stat().st_size} bytes, first curve after {time.monotonic() - begin:.2f} s")
