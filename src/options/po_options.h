@@ -43,11 +43,15 @@ typedef struct {
   po_option_taker *take;
 } po_option;
 // clang-format off
-#define PO_FLAG(key, line, member) {.name = key, .kind = PO_OPTION_IS_FLAG, .place = offsetof(line, member)}
+/* The place of a member, which must have the type of the option: another one does not compile. */
+#define PO_OPTION_PLACE(line, member, type) _Generic(((line *)0)->member, type: offsetof(line, member))
+#define PO_FLAG(key, line, member) \
+  {.name = key, .kind = PO_OPTION_IS_FLAG, .place = PO_OPTION_PLACE(line, member, bool)}
 #define PO_TEXT(key, line, member, what) \
-  {.name = key, .kind = PO_OPTION_IS_TEXT, .place = offsetof(line, member), .expected = what}
+  {.name = key, .kind = PO_OPTION_IS_TEXT, .place = PO_OPTION_PLACE(line, member, const char *), .expected = what}
 #define PO_NUMBER(key, line, member, above, what) \
-  {.name = key, .kind = PO_OPTION_IS_NUMBER, .place = offsetof(line, member), .expected = what, .least = above}
+  {.name = key, .kind = PO_OPTION_IS_NUMBER, .place = PO_OPTION_PLACE(line, member, double), .expected = what, \
+   .least = above}
 #define PO_TAKEN(key, line, member, function) \
   {.name = key, .kind = PO_OPTION_IS_TAKEN, .place = offsetof(line, member), .take = function}
 // clang-format on
