@@ -37,3 +37,15 @@ po_status po_order_find_repeat(const void *items, size_t count, size_t size, po_
   free(order);
   return PO_OK;
 }
+
+size_t po_order_last_up_to(const double *numbers, size_t count, double x) {
+  size_t low = 0, high = count;
+  while (high - low > 1) {
+    const size_t middle = (low + high) / 2;
+    if (numbers[middle] <= x)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}

@@ -1,4 +1,4 @@
-/* Stable sorting of the indices of an array, and a search for repeated items. */
+/* Searches in arrays: for repeated items, and for the place of a number. */
 #ifndef PO_ORDER_H
 #define PO_ORDER_H
 
@@ -21,5 +21,9 @@ typedef struct {
  * count) comparisons. */
 po_status po_order_find_repeat(const void *items, size_t count, size_t size, po_comparison *compare,
                                void *context, po_repeat *repeat);
+
+/* Returned: the index of the last of `count` ascending numbers that is not above x; 0 if all are
+ * above it. Given: count >= 1. */
+size_t po_order_last_up_to(const double *numbers, size_t count, double x);
 
 #endif

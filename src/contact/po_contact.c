@@ -7,6 +7,7 @@
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_memory.h"
+#include "po_order.h"
 #include "po_refine.h"
 #include "po_root.h"
 #include "po_solution.h"
@@ -47,22 +48,9 @@ po_contact_gap po_contact_gap_of(const po_scene *scene, double domain, const po_
   return g;
 }
 
-/* The index of the last node at or below a radius; 0 if all nodes are above it. */
-static size_t node_below(const po_contact_gap *g, double r) {
-  size_t low = 0, high = g->n;
-  while (high - low > 1) {
-    const size_t middle = (low + high) / 2;
-    if (g->node[middle] <= r)
-      low = middle;
-    else
-      high = middle;
-  }
-  return low;
-}
-
 /* Linear interpolation of the deflection, which is constant inside the first node. */
 static value value_on_elements(const po_contact_gap *g, double r) {
-  const size_t j = node_below(g, r);
+  const size_t j = po_order_last_up_to(g->node, g->n, r);
   const double here = g->gap[j] - po_initial_gap(g->scene, g->node[j]);
   value v = {po_initial_gap(g->scene, r) + here, po_initial_gap_slope(g->scene, r)};
   if (r <= g->node[0] || j + 1 == g->n)
@@ -129,7 +117,7 @@ static double inwards(const po_contact_gap *g, double r) {
     begin = g->end * po_panel_begin(panels->panel[k]);
     step = g->end * po_panel_size(panels->panel[k]) / PO_TABLE_ORDER;
   } else if (g->n) {
-    size_t j = node_below(g, r);
+    size_t j = po_order_last_up_to(g->node, g->n, r);
     if (j > 0 && g->node[j] >= r)
       --j;
     begin = g->node[j] < r ? g->node[j] : 0.0;

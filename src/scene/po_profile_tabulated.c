@@ -4,22 +4,15 @@
 
 #include "po_elementary.h"
 #include "po_hermite.h"
+#include "po_order.h"
 #include "po_profile_kind.h"
 #include "po_profile_table.h"
 #include "po_root.h"
 #include "po_two_functions.h"
 
-/* The interval of a radius, by bisection; the last one beyond the end. */
+/* The interval of a radius; the last one beyond the end. */
 static size_t interval_of(const po_profile_table *t, double r) {
-  size_t low = 0, high = t->rows - 1;
-  while (high - low > 1) {
-    const size_t middle = (low + high) / 2;
-    if (t->r[middle] <= r)
-      low = middle;
-    else
-      high = middle;
-  }
-  return low;
+  return po_order_last_up_to(t->r, t->rows - 1, r);
 }
 
 static double end(const po_profile *profile) {

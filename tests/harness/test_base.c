@@ -10,6 +10,7 @@
 #include "po_digest.h"
 #include "po_file.h"
 #include "po_number.h"
+#include "po_order.h"
 #include "po_tables.h"
 #include "po_text.h"
 #include "run.h"
@@ -326,6 +327,15 @@ START_TEST(curve_table_has_whole_numbers_of_modes) {
 }
 END_TEST
 
+START_TEST(the_place_of_a_number_among_others) {
+  static const double NUMBERS[] = {0.0, 1.0, 1.0, 2.5}, AT[] = {-1, 0, 0.5, 1, 2.4, 2.5, 9};
+  static const size_t EXPECTED[] = {0, 0, 0, 2, 2, 3, 3};
+  for (size_t k = 0; k < sizeof AT / sizeof *AT; ++k)
+    ck_assert_uint_eq(po_order_last_up_to(NUMBERS, 4, AT[k]), EXPECTED[k]);
+  ck_assert_uint_eq(po_order_last_up_to(NUMBERS, 1, 3.0), 0);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, make_folder, remove_folder);
   tcase_add_loop_test(tests, number_prints_short_and_exact, 0, COUNT(PRINTED));
@@ -333,6 +343,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, number_parses_strictly, 0, COUNT(PARSED));
   tcase_add_test(tests, number_takes_infinity_where_allowed);
   tcase_add_test(tests, digest_is_sha256);
+  tcase_add_test(tests, the_place_of_a_number_among_others);
   tcase_add_test(tests, text_grows);
   tcase_add_test(tests, words_are_quoted_for_a_shell);
   tcase_add_test(tests, file_is_written_whole_or_not_at_all);
