@@ -17,8 +17,9 @@ struct po_law_kind {
   double (*energy)(const po_law *law, double gap);
   po_law_value (*averaged)(const po_law *law, double gap, double amplitude);
   double (*energy_averaged)(const po_law *law, double gap, double amplitude);
-  po_law_scale (*scale)(const po_law *law,
-                        double gap); /* NULL, here and below: of powers of 1 + H */
+  /* Scale, closest gap and reach may be NULL in a law of powers of 1 + H: then the scale is 1 + H,
+   * the closest gap -1, and the reach 20. Every other law must give all three. */
+  po_law_scale (*scale)(const po_law *law, double gap);
   po_law_closeness (*closeness)(const po_law *law, double gap); /* at gaps > 0 */
   double (*peak_gap)(const po_law *law);
   double (*closest)(const po_law *law); /* given: also the least gap at which it is evaluated */
