@@ -49,7 +49,7 @@ while [ "$rooms" != "$found" ]; do # with the rooms on which these depend
   found=$rooms
   rooms=$(for room in $found; do
     echo "$room"
-    sed -n "s/^  \['$room', \[\([^]]*\)\].*/\1/p" src/meson.build | tr -d "'," | tr ' ' '\n'
+    sed -n "s/^  \['$room', \[\([^]]*\)\].*/\1/p" src/meson.build | tr -d "',+" | tr ' ' '\n'
   done | sort -u | while read -r room; do [ ! -d "src/$room" ] || echo "$room"; done)
 done
 write_ninja() {

@@ -6,8 +6,6 @@
 #include "po_environment.h"
 #include "po_memory.h"
 #include "po_options.h"
-#include "po_panel_table.h"
-#include "po_panels.h"
 #include "po_pins.h"
 #include "po_plan.h"
 #include "po_print.h"
@@ -77,10 +75,11 @@ static po_status print_needs(const po_plan *plan) {
     return status;
   printf("  need at most %zu nodes and %.0f MB of memory a solve: %s\n", n.largest.nodes,
          megabytes(n.largest.bytes), plan->kase->points[n.point].label);
-  if (n.largest.nodes > PO_MOST_PANELS * PO_TABLE_ORDER)
-    printf("  but a mesh has at most %d nodes: cut the surface with outer_radius, or give a larger "
-           "tolerance, if the solve ends with out_of_nodes\n",
-           PO_MOST_PANELS * PO_TABLE_ORDER);
+  if (n.largest.nodes > PO_MOST_NODES_OF_MESH)
+    printf(
+        "  but a mesh has at most %zu nodes: cut the surface with outer_radius, or give a larger "
+        "tolerance, if the solve ends with out_of_nodes\n",
+        PO_MOST_NODES_OF_MESH);
   if (n.largest.bytes > memory)
     printf("  but this machine has %.0f MB: cut the surface with outer_radius, give a larger "
            "tolerance, or leave such points out\n",

@@ -6,6 +6,7 @@
 #include "po_initial_gap.h"
 #include "po_observe_parts.h"
 #include "po_panel_table.h"
+#include "po_panels.h"
 #include "po_rigid.h"
 #include "po_scales.h"
 
@@ -25,6 +26,8 @@ static const double PANELS_MARGIN = 2.5;
  */
 static const double PROGRAM_BYTES = 12e6, NODE_BYTES = 8e3, BLOCK_BYTES = 80e6,
                     BLOCK_BYTES_A_NODE = 32e3;
+
+const size_t PO_MOST_NODES_OF_MESH = (size_t)PO_MOST_PANELS * PO_TABLE_ORDER;
 
 /* Nodes of rings and triangles: of a wave beyond the core, and of the panel to infinity. */
 enum { WAVE_NODES = 12, TAIL_NODES = 16 };

@@ -8,7 +8,7 @@
 #include "po_memory.h"
 #include "po_pins.h"
 #include "po_quote.h"
-#include "po_rigid.h"
+#include "po_size.h"
 
 /* Adds a line to the description. If memory runs out, plan->wordless is set. */
 static void __attribute__((format(printf, 2, 3))) say(po_plan *plan, const char *format, ...) {
@@ -50,7 +50,7 @@ static point_counts count_properties(const po_case *kase) {
   point_counts count = {.points = kase->point_count};
   for (size_t i = 0; i < kase->point_count; ++i) {
     const po_request *request = &kase->points[i].request;
-    count.rigid += po_rigid_suffices(&request->scene) ? 1 : 0;
+    count.rigid += po_request_size(request).nodes ? 0 : 1;
     count.smooth += po_scene_is_wavy(&request->scene) ? 0 : 1;
     count.bounded += isfinite(request->scene.outer_radius) ? 1 : 0;
     count.to_end += isnan(request->approach_end) ? 0 : 1;

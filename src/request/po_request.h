@@ -6,11 +6,11 @@
 #include <stdbool.h>
 
 #include "po_loops.h"
+#include "po_mesh.h"
 #include "po_physical.h"
 #include "po_result.h"
 #include "po_scene.h"
 #include "po_status.h"
-#include "po_surface.h"
 
 enum {
   PO_WANT_CURVE = 1,       /* the points of the branch */

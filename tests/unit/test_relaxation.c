@@ -12,6 +12,7 @@
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_observe.h"
+#include "po_surface.h"
 #include "run.h"
 
 enum { MOST_STEPS = 3000, MOST_NEWTON = 30 };

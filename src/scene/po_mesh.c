@@ -1,7 +1,6 @@
-/* The mesh that the user chooses: names, defaults and limits. */
-#include <string.h>
+#include "po_mesh.h"
 
-#include "po_surface.h"
+#include <string.h>
 
 static const char *const SCHEMES[] = {
     [PO_RING] = "ring", [PO_TRIANGLE] = "triangle", [PO_PANEL] = "panel"};
