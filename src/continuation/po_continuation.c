@@ -41,16 +41,30 @@ static double equilibrium_feedback(po_equilibrium *e) {
   return e->coupling * largest;
 }
 
-/* The approach, eps, at which a trace starts: the first of -2, -4, -8, ... at which
- * equilibrium_feedback of the initial gap less the approach is below 1/4, so that the
- * equilibrium is unique and Newton's method finds it. */
+static double least_gap(const po_equilibrium *e, const double *gap) {
+  double least = INFINITY;
+  for (size_t j = 0; j < e->n; ++j)
+    least = fmin(least, gap[j]);
+  return least;
+}
+
+/* Whether the law softens at every gap of a state. */
+static bool softens(const po_equilibrium *e, const double *gap) {
+  return least_gap(e, gap) > po_law_peak_gap(&e->scene->law);
+}
+
+/* The approach, eps, at which a trace may start: the first of -2, -4, -8, ... at which
+ * equilibrium_feedback of the initial gap less the approach is below 1/4, so that the equilibrium
+ * is unique and Newton's method finds it; and at which the law softens, so that no minimum of the
+ * load is farther out. The latter says more for a law of long range: its feedback can be small at
+ * every gap. */
 static double continuation_start(po_equilibrium *e) {
   double approach = -2.0;
   for (int k = 0; k < MOST_DOUBLINGS; ++k, approach *= 2.0) {
     for (size_t j = 0; j < e->n; ++j)
       e->right[j] = e->initial_gap[j] - approach;
     po_equilibrium_evaluate(e, e->right);
-    if (equilibrium_feedback(e) < SAFE_FEEDBACK)
+    if (softens(e, e->right) && equilibrium_feedback(e) < SAFE_FEEDBACK)
       break;
   }
   return approach;
@@ -118,10 +132,10 @@ static po_status mesh_undeformed(po_continuation *t, double approach) {
   return status ? status : po_corrector_mesh(&t->c, panels);
 }
 
-/* The approach of the first equilibrium, on a mesh that resolves its undeformed gap. Only such a
- * mesh shows the feedback of a law of short range at a sharp tip. */
-static po_status mesh_start(po_continuation *t, double *approach) {
-  *approach = fmin(continuation_start(t->c.e), t->options.begin); /* begin may be NaN */
+/* The approach of the first equilibrium, at most `begin` (may be NaN), on a mesh that resolves its
+ * undeformed gap. Only such a mesh shows the feedback of a law of short range at a sharp tip. */
+static po_status mesh_start(po_continuation *t, double begin, double *approach) {
+  *approach = fmin(continuation_start(t->c.e), begin);
   while (po_continuation_moves(t)) {
     const po_status status = mesh_undeformed(t, *approach);
     const double seen = continuation_start(t->c.e);
@@ -132,22 +146,32 @@ static po_status mesh_start(po_continuation *t, double *approach) {
   return PO_OK;
 }
 
-/* The first equilibrium: Newton's method at given approach from the undeformed gap. */
-static po_status start(po_continuation *t) {
+/* Newton's method at given approach from the undeformed gap. */
+static po_status solve_start(po_continuation *t, double approach) {
   po_equilibrium *e = t->c.e;
-  double approach;
-  po_status status = mesh_start(t, &approach);
-  if (status)
-    return status;
   po_solution *p = &t->current;
   for (size_t j = 0; j < e->n; ++j)
     t->c.guess[j] = p->state[j] = e->initial_gap[j] - approach;
   t->c.guess[e->n] = p->state[e->n] = approach;
   memset(t->c.border, 0, (e->n + 1) * sizeof *t->c.border);
   t->c.border[e->n] = 1.0;
-  status = po_equilibrium_factorize(e, p->state, t->c.border);
-  if (!status)
-    status = po_equilibrium_correct(e, p->state, t->c.guess, 0.0);
+  const po_status status = po_equilibrium_factorize(e, p->state, t->c.border);
+  return status ? status : po_equilibrium_correct(e, p->state, t->c.guess, 0.0);
+}
+
+/* The first equilibrium and the direction of the branch there. */
+static po_status start(po_continuation *t) {
+  po_equilibrium *e = t->c.e;
+  po_solution *p = &t->current;
+  double approach, begin = t->options.begin;
+  po_status status;
+  do {
+    status = mesh_start(t, begin, &approach);
+    if (status)
+      return status;
+    status = solve_start(t, approach);
+    begin = 2.0 * approach;
+  } while (!status && !softens(e, p->state));
   if (!status)
     status = po_equilibrium_tangent(e, PO_STEP_TANGENT, p->tangent);
   if (status == PO_INTERRUPTED || status == PO_OUT_OF_TIME)
@@ -160,13 +184,6 @@ static po_status start(po_continuation *t) {
   return po_continuation_want_mesh(t, p);
 }
 
-static double least_gap(const po_solution *p) {
-  double least = INFINITY;
-  for (size_t j = 0; j < p->n; ++j)
-    least = fmin(least, p->state[j]);
-  return least;
-}
-
 /* Traces from the current point until the visitor ends the trace, or the branch returns to its
  * beginning. */
 static po_status go_on(po_continuation *t) {
@@ -174,7 +191,7 @@ static po_status go_on(po_continuation *t) {
   po_continuation_visit(t, &t->current, PO_POINT_STEP);
   while (!status && !t->ended) {
     status = po_continuation_advance(t);
-    const bool returned = !status && least_gap(&t->next) > t->farthest;
+    const bool returned = !status && least_gap(t->c.e, t->next.state) > t->farthest;
     if (returned && !t->back)
       status = po_fail(PO_NOT_CONVERGED, "the branch returned to its beginning, at approach %.6g",
                        po_solution_approach(&t->next));
@@ -195,7 +212,7 @@ po_status po_continuation_run(po_continuation *t) {
   const po_status status = start(t);
   if (status)
     return status;
-  t->farthest = least_gap(&t->current);
+  t->farthest = least_gap(t->c.e, t->current.state);
   return go_on(t);
 }
 
