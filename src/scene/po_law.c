@@ -5,11 +5,12 @@
 #include "po_law_kind.h"
 #include "po_parameters.h"
 
-static const po_law_kind *const KINDS[] = {&PO_LENNARD_JONES, &PO_MIE, &PO_MORSE};
+#define KIND(law, text) &PO_##law,
+static const po_law_kind *const KINDS[] = {PO_LAW_ROWS(KIND)};
 enum { KIND_COUNT = sizeof KINDS / sizeof *KINDS };
 
-static const char *const PARAMETERS[PO_LAW_PARAMETER_COUNT] = {
-    [PO_MIE_M] = "mie_m", [PO_MIE_N] = "mie_n", [PO_MORSE_A] = "morse_a"};
+#define NAME(parameter, name) name,
+static const char *const PARAMETERS[] = {PO_LAW_PARAMETER_ROWS(NAME)};
 
 static const po_law_kind *kind_of(const po_law *law) {
   return law->kind ? law->kind : &PO_LENNARD_JONES;

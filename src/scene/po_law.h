@@ -14,8 +14,26 @@
 #include "po_status.h"
 #include "po_two.h"
 
-/* Parameters of all laws; each law has some of them. */
-typedef enum { PO_MIE_M, PO_MIE_N, PO_MORSE_A, PO_LAW_PARAMETER_COUNT } po_law_parameter;
+// clang-format off
+/* The laws, each with the text that chooses it, and the parameters of all laws with their names,
+ * which begin with that of their law. A new law is a row in the first list, its parameters in the
+ * order of the text in the second, and a file (po_law_kind.h). */
+#define PO_LAW_ROWS(X) \
+  X(LENNARD_JONES, "lennard-jones") \
+  X(MIE, "mie:m,n") \
+  X(MORSE, "morse:a")
+#define PO_LAW_PARAMETER_ROWS(X) \
+  X(MIE_M, "mie_m") \
+  X(MIE_N, "mie_n") \
+  X(MORSE_A, "morse_a")
+// clang-format on
+
+#define PO_LAW_PARAMETER(parameter, name) PO_##parameter,
+typedef enum { PO_LAW_PARAMETER_ROWS(PO_LAW_PARAMETER) PO_LAW_PARAMETER_COUNT } po_law_parameter;
+
+/* "lennard-jones or mie:m,n or ..." */
+#define PO_OR_LAW(law, text) " or " text
+#define PO_LAW_EXPECTED &(PO_LAW_ROWS(PO_OR_LAW))[sizeof " or " - 1]
 
 enum { PO_LAW_CONSTANTS = 3 };
 
@@ -41,16 +59,15 @@ typedef struct {
 /* Lennard-Jones, Eq 9; the parameters of the other laws are NAN. */
 po_law po_law_lennard_jones(void);
 
-/* Sets the law written as "lennard-jones", "mie" or "morse", or with its parameters in order, as
- * "mie:4,10" or "mie:4;10"; without them those in place stay. False when the text is none of these;
- * then the law is unchanged. Its parameters are checked by po_law_check. */
+/* Sets the law written by its name alone, or with its parameters in order, as "mie:4,10" or
+ * "mie:4;10"; without them those in place stay. False when the text is none of these; then the law
+ * is unchanged. Its parameters are checked by po_law_check. */
 bool po_law_set(po_law *law, const char *text);
-#define PO_LAW_EXPECTED "lennard-jones, mie:m,n or morse:a"
 
 /* Sets one parameter. */
 void po_law_set_parameter(po_law *law, po_law_parameter parameter, double value);
 
-/* "lennard-jones", "mie", "morse"; the number of a law among these; whether it has a parameter. */
+/* The name of a law; its number among all laws; whether it has a parameter. */
 const char *po_law_name(const po_law *law);
 size_t po_law_index(const po_law *law);
 bool po_law_has(const po_law *law, po_law_parameter parameter);

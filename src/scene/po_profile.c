@@ -8,17 +8,14 @@
 #include "po_profile_kind.h"
 #include "po_profile_table.h"
 
-static const po_profile_kind *const KINDS[] = {&PO_SPHERE, &PO_POWER,     &PO_CONE,
-                                               &PO_PUNCH,  &PO_TRUNCATED, &PO_TABLE};
+#define KIND(profile, text) &PO_##profile,
+static const po_profile_kind *const KINDS[] = {PO_PROFILE_ROWS(KIND) KIND(TABLE, "")};
 enum { KIND_COUNT = sizeof KINDS / sizeof *KINDS };
 
-static const char *const PARAMETERS[PO_PROFILE_PARAMETER_COUNT] = {
-    [PO_POWER_C] = "power_c",         [PO_POWER_N] = "power_n",
-    [PO_CONE_T] = "cone_t",           [PO_PUNCH_B] = "punch_b",
-    [PO_PUNCH_R] = "punch_r",         [PO_TRUNCATED_B] = "truncated_b",
-    [PO_TRUNCATED_R] = "truncated_r", [PO_TABLE_SCALE] = "table_scale",
-    [PO_TABLE_SMOOTH] = "smooth",
-};
+#define NAME(parameter, name, is_length) name,
+static const char *const PARAMETERS[] = {PO_PROFILE_PARAMETER_ROWS(NAME)};
+#define IS_LENGTH(parameter, name, is_length) is_length,
+static const bool LENGTHS[] = {PO_PROFILE_PARAMETER_ROWS(IS_LENGTH)};
 
 static const po_profile_kind *kind_of(const po_profile *profile) {
   return profile->kind ? profile->kind : &PO_SPHERE;
@@ -123,11 +120,11 @@ double po_profile_default_radius(const po_profile *profile) {
 void po_profile_rescale(po_profile *profile, double epsilon) {
   double *p = profile->parameter;
   p[PO_POWER_C] *= po_pow(epsilon, p[PO_POWER_N] - 1.0);
-  p[PO_PUNCH_B] /= epsilon;
-  p[PO_PUNCH_R] /= epsilon;
-  p[PO_TRUNCATED_B] /= epsilon;
-  p[PO_TRUNCATED_R] /= epsilon;
-  p[PO_TABLE_SCALE] = (isnan(p[PO_TABLE_SCALE]) ? 1.0 : p[PO_TABLE_SCALE]) / epsilon;
+  if (isnan(p[PO_TABLE_SCALE]))
+    p[PO_TABLE_SCALE] = 1.0;
+  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
+    if (LENGTHS[k])
+      p[k] /= epsilon;
 }
 
 double po_profile_radius_of_sphere(const po_profile *profile) {

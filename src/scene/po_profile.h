@@ -13,21 +13,39 @@
 #include "po_status.h"
 #include "po_two.h"
 
-/* Parameters of all profiles; each profile has some of them. The radius R of the sphere is one of
- * the scene (po_scene.h), which measures loads by it. */
+// clang-format off
+/* The profiles, each with the text that chooses it, but for that of a table; and the parameters of
+ * all profiles, each with its name and whether it is a length. A new profile is a row in the first
+ * list, its parameters in the order of the text in the second, and a file (po_profile_kind.h). The
+ * radius R of the sphere is one of the scene (po_scene.h), which measures loads by it. */
+#define PO_PROFILE_ROWS(X) \
+  X(SPHERE, "sphere") \
+  X(POWER, "power:C,n") \
+  X(CONE, "cone:t") \
+  X(PUNCH, "punch:b,R") \
+  X(TRUNCATED, "truncated:b,R")
+#define PO_PROFILE_PARAMETER_ROWS(X) \
+  X(POWER_C, "power_c", false)        /* C r^n */ \
+  X(POWER_N, "power_n", false) \
+  X(CONE_T, "cone_t", false)          /* t r, t the tangent of the angle between flank and flat body */ \
+  X(PUNCH_B, "punch_b", true)         /* flat to b, then (r - b)^2/(2R) */ \
+  X(PUNCH_R, "punch_r", true) \
+  X(TRUNCATED_B, "truncated_b", true) /* flat to b, then (r^2 - b^2)/(2R): a sphere that is cut flat */ \
+  X(TRUNCATED_R, "truncated_r", true) \
+  X(TABLE_SCALE, "table_scale", true) /* the unit of the numbers of a table, in epsilon */ \
+  X(TABLE_SMOOTH, "smooth", false)    /* standard deviation of their noise, in this unit; INFINITY: it
+                                         is estimated; NAN: the spline passes through all rows */
+// clang-format on
+
+#define PO_PROFILE_PARAMETER(parameter, ...) PO_##parameter,
 typedef enum {
-  PO_POWER_C, /* C r^n */
-  PO_POWER_N,
-  PO_CONE_T,  /* t r, t the tangent of the angle between the flank and the flat body */
-  PO_PUNCH_B, /* flat to b, then (r - b)^2/(2R) */
-  PO_PUNCH_R,
-  PO_TRUNCATED_B, /* flat to b, then (r^2 - b^2)/(2R): a sphere that is cut flat */
-  PO_TRUNCATED_R,
-  PO_TABLE_SCALE,  /* the unit of the numbers of a table, in epsilon */
-  PO_TABLE_SMOOTH, /* standard deviation of their noise, in this unit; INFINITY: it is estimated;
-                      NAN: the spline passes through all rows */
-  PO_PROFILE_PARAMETER_COUNT
+  PO_PROFILE_PARAMETER_ROWS(PO_PROFILE_PARAMETER) PO_PROFILE_PARAMETER_COUNT
 } po_profile_parameter;
+
+/* "sphere or power:C,n or ...; a table ..." */
+#define PO_OR_PROFILE(profile, text) " or " text
+#define PO_PROFILE_EXPECTED                                                                        \
+  &(PO_PROFILE_ROWS(PO_OR_PROFILE) "; a table of radii and gaps by profile_file")[sizeof " or " - 1]
 
 enum { PO_PROFILE_PATH_LENGTH = 1000 };
 
@@ -45,14 +63,10 @@ typedef struct {
 /* The sphere; the parameters of the other profiles are NAN. */
 po_profile po_profile_sphere(void);
 
-/* Sets the profile written as "sphere", "power", "cone", "punch" or "truncated", or with its
- * parameters in order, as "power:0.05,1.5" or "power:0.05;1.5"; without them those in place stay.
- * False when the text is none of these; then the profile is unchanged. Its parameters are checked
- * by po_profile_check. */
+/* Sets the profile written by its name alone, or with its parameters in order, as "power:0.05,1.5"
+ * or "power:0.05;1.5"; without them those in place stay. False when the text is none of these; then
+ * the profile is unchanged. Its parameters are checked by po_profile_check. */
 bool po_profile_set(po_profile *profile, const char *text);
-#define PO_PROFILE_EXPECTED                                                                        \
-  "sphere, power:C,n, cone:t, punch:b,R or truncated:b,R; a table of radii and gaps by "           \
-  "profile_file"
 
 /* Sets one parameter. */
 void po_profile_set_parameter(po_profile *profile, po_profile_parameter parameter, double value);
@@ -63,7 +77,7 @@ void po_profile_set_parameter(po_profile *profile, po_profile_parameter paramete
  * PO_PROFILE_PATH_LENGTH. */
 po_status po_profile_set_file(po_profile *profile, const char *path);
 
-/* "sphere", "power", "cone", "punch", "truncated", "table"; the number of a profile among these;
+/* The name of a profile, "table" for a table; its number among all profiles;
  * whether it has a parameter. The path of a table, its name in documents, and the SHA-256 of its
  * content; "-" for other profiles. */
 const char *po_profile_name(const po_profile *profile);

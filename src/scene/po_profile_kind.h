@@ -25,7 +25,9 @@ struct po_profile_kind {
   bool (*is_convex)(const po_profile *profile);              /* NULL: it is */
 };
 
-extern const po_profile_kind PO_SPHERE, PO_POWER, PO_CONE, PO_PUNCH, PO_TRUNCATED, PO_TABLE;
+#define PO_PROFILE_KIND(profile, text) extern const po_profile_kind PO_##profile;
+PO_PROFILE_ROWS(PO_PROFILE_KIND)
+extern const po_profile_kind PO_TABLE;
 
 /* Requires a finite parameter > 0. */
 po_status po_profile_require_positive(const po_profile *profile, po_profile_parameter parameter);

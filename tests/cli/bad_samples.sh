@@ -54,7 +54,7 @@ spoilt 's/key: tabor/key: scheme/' \
 spoilt 's/key: tabor/key: nodes/' \
   '11: sample.keys[[]1[]].key is nodes: expected a key of the scene whose value is a number*'
 spoilt 's/key: tabor/key: colour/' \
-  '11: sample.keys[[]1[]].key is colour: expected a key of the scene whose value is a number, and not a count: tabor, *, outer_radius, mie_m, mie_n, morse_a, power_c, *'
+  '11: sample.keys[[]1[]].key is colour: expected a key of the scene whose value is a number, and not a count: tabor, *, outer_radius, mie_m, *power_c, *'
 spoilt 's/key: radius/key: tabor/' \
   '12: sample.keys[[]2[]].key is tabor: expected each key drawn once'
 spoilt 's/outer_radius: inf/&\n  tabor: 1/' \

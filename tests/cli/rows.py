@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Compares doc/json.md and doc/pulloff-1.schema.json with the rows of a result (src/result), from which they are made.
+"""Compares doc/json.md and doc/pulloff-1.schema.json with the keys of a scene (src/keys) and the rows of a result (src/result),
+from which they are made.
 
 Usage: rows.py PRINT_ROWS SOURCE_TREE [--write]
 
@@ -39,8 +40,15 @@ def blocks(program):
 def value_of(row):
     """The JSON Schema of the value of a row."""
     kind, of = row["type"], row["of"]
+    number = {"type": ["number", "null"] if row["null"] else "number"}
     if kind == "number":
-        return {"type": ["number", "null"] if row["null"] else "number"}
+        return number
+    if kind == "extended":
+        return {"oneOf": [number, {"const": "inf"}]}
+    if kind == "automatic":
+        return {"type": ["number", "string", "null"]}
+    if kind == "text":
+        return {"type": ["string", "null"] if row["null"] else "string"}
     if kind == "count":
         return {"type": "integer", "minimum": 0}
     if kind == "word" and of.endswith(" status"):
@@ -51,8 +59,9 @@ def value_of(row):
         value = {"$ref": f"#/$defs/{of or kind}"}
         value = {"type": "array", "items": value} if kind == "list" else value
         return {"oneOf": [value, NULL]} if row["null"] and row["omitted"] == "0" else value
-    return {"integer": {"type": "integer"}, "flag": {"type": "boolean"}, "text": {"type": "string"},
+    return {"integer": {"type": "integer"}, "flag": {"type": "boolean"},
             "label": {"type": "string"},
+            "unit": {"enum": ["pi w R", "pi w epsilon"]},
             "labels": {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}}[kind]
 
 
@@ -93,27 +102,46 @@ def table(name, rows):
     return "\n".join(line.rstrip() for line in lines)
 
 
+def table_of_keys(text, rows):
+    """The page with the words and parameters of laws and profiles in its table of keys, which has to have all keys."""
+    for owner in ("law", "profile"):
+        words = next(row["of"].split() for row in rows if row["key"] == owner)
+        listed = ", ".join(f"`{word}`" for word in words)
+        text = replaced(text, rf"^(\| `{owner}` \| [^|:]*: )`.*?` \|", rf"\g<1>{listed} |", owner)
+        listed = ", ".join(f"`{row['key']}`" for row in rows if row["says"] == owner and row["type"] == "number")
+        text = replaced(text, rf"^\| `.*` (\| parameters of the {owner} \|)", rf"| {listed} \g<1>", f"parameters of the {owner}")
+    table = re.search(r"^\| `input` \| meaning .*(?:\n\|.*)*", text, re.M)[0]
+    lacking = [row["key"] for row in rows if f"`{row['key']}`" not in table]
+    if lacking:
+        sys.exit(f"doc/json.md: the table of `input` lacks {', '.join(lacking)}")
+    return text
+
+
 def replaced(text, pattern, new, what):
     """The text with the one place that fits a pattern replaced."""
     places = re.findall(pattern, text, re.M)
     if len(places) != 1:
         sys.exit(f"{what}: {len(places)} places: expected 1")
-    return re.sub(pattern, lambda _: new, text, flags=re.M)
+    return re.sub(pattern, lambda found: found.expand(new) if "\\g<" in new else new, text, flags=re.M)
 
 
 def main():
     program, root, *more = sys.argv[1:]
     page, schema = pathlib.Path(root, "doc/json.md"), pathlib.Path(root, "doc/pulloff-1.schema.json")
     texts = {page: page.read_text(), schema: schema.read_text()}
-    for name, rows in blocks(program).items():
-        texts[page] = replaced(texts[page], rf"^\| `{name}` \| meaning .*(?:\n\|.*)*", table(name, rows), name)
+    found = blocks(program)
+    keys = found["input"]
+    texts[page] = table_of_keys(texts[page], keys)
+    keys.append(NAMELESS | {"key": "load_unit", "type": "unit"})
+    for name, rows in found.items():
+        texts[page] = texts[page] if name == "input" else replaced(texts[page], rf"^\| `{name}` \| meaning .*(?:\n\|.*)*", table(name, rows), name)
         texts[schema] = replaced(texts[schema], rf'^    "{name}": {{\n(?:     .*\n)*    }}', definition(name, rows), name)
     wrong = [path for path, text in texts.items() if text != path.read_text()]
     for path in wrong:
         if more == ["--write"]:
             path.write_text(texts[path])
         else:
-            print(f"{path.name} does not agree with the rows of a result: run tests/cli/rows.py with --write")
+            print(f"{path.name} does not agree with keys and rows: run tests/cli/rows.py with --write")
     return 1 if wrong and not more else 0
 
 

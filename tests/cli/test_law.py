@@ -6,7 +6,7 @@ from conftest import agree, document, expect
 
 
 @pytest.mark.parametrize("message, words", [
-    ("--law is mie:9: expected lennard-jones, mie:m,n or morse:a", "solve --law mie:9"),
+    ("--law is mie:9: expected lennard-jones or mie:m,n or morse:a", "solve --law mie:9"),
     ("mie_n is 3: expected a number > mie_m, 9, and at most 60", "solve --law mie:9,3"),
     ("mie_m is not given: expected it with the law mie", "solve --law mie --mie-n 9"),
     ("mie_n is not given: expected it with the law mie", "solve --law mie --mie-m 4"),

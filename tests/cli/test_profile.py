@@ -8,7 +8,7 @@ import re
 import pytest
 from conftest import ROOT, agree, document, expect, run
 
-ANY = "sphere, power:C,n, cone:t, punch:b,R or truncated:b,R; a table of radii and gaps by profile_file"
+ANY = "sphere or power:C,n or cone:t or punch:b,R or truncated:b,R; a table of radii and gaps by profile_file"
 WAVE = "expected A,L: amplitude and wavelength, two numbers > 0"
 SI = " --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10"
 

@@ -1,9 +1,14 @@
-/* Prints the rows of a result, one a line, cells between tabs: definition, key, type, dimension,
- * error, null, omitted, definition of the part or words, says. tests/cli/rows.py makes tables of
- * doc/json.md and definitions of the JSON Schema of them. */
+/* Prints the keys of a scene and the rows of a result, one a line, cells between tabs: definition,
+ * key, type, dimension, error, null, omitted, definition of the part or words, says; of a key says
+ * is its owner. tests/cli/rows.py makes tables of doc/json.md and definitions of the JSON Schema of
+ * them. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "po_input.h"
+#include "po_law_kind.h"
+#include "po_profile_kind.h"
 #include "po_result_rows.h"
 
 static const char *const TYPES[] = {"number", "count", "integer", "flag", "text",   "word",
@@ -44,7 +49,48 @@ static void print_block(const po_block *block) {
       print_block(block->row[i].block);
 }
 
+/* The type of the value of a key that is a number. */
+static const char *type_of_number(int key) {
+  if (key == PO_KEY_NODES)
+    return "count";
+  const char *expected = po_key_expected((po_key)key);
+  return strstr(expected, "inf") ? "extended" : strstr(expected, "auto") ? "automatic" : "number";
+}
+
+static void print_words(int key) {
+#define LAW(law, text) printf("%s ", PO_##law.name);
+#define PROFILE(profile, text) printf("%s ", PO_##profile.name);
+  if (key == PO_KEY_LAW) {
+    PO_LAW_ROWS(LAW)
+  } else if (key == PO_KEY_PROFILE) {
+    PO_PROFILE_ROWS(PROFILE)
+    PROFILE(TABLE, "")
+  }
+  for (int k = 0; key == PO_KEY_SCHEME && k <= PO_PANEL; ++k)
+    printf("%s ", po_scheme_name((po_scheme)k));
+  for (int k = 0; key == PO_KEY_GRADING && k <= PO_GRADED; ++k)
+    printf("%s ", po_grading_name((po_grading)k));
+}
+
+static void print_keys(void) {
+  static const char *const OWNERS[] = {"scene", "law", "profile", "mesh", "trace"};
+  const po_request usual = po_input_default();
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    const bool number = po_key_is_number((po_key)key);
+    const bool text = key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
+    const bool null = text || (number && isnan(po_key_number(&usual, (po_key)key)));
+    printf("input\t%s\t%s\t\t\t%s\t0\t", po_key_name((po_key)key),
+           number ? type_of_number(key)
+           : text ? "text"
+                  : "word",
+           null ? "if not given" : "");
+    print_words(key);
+    printf("\t%s\n", OWNERS[po_key_row_of(key)->owner]);
+  }
+}
+
 int main(void) {
+  print_keys();
   print_block(&PO_RESULT_ROWS);
   print_block(&PO_WANTED_ROWS);
   print_block(&PO_CONTACT_ROWS);

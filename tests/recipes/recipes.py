@@ -128,7 +128,8 @@ def failures(copy, blocks):
     for kind, _, body in blocks:
         for line, shown in documents.split(body) if kind == "console" else []:
             try:
-                wrong = documents.difference(shown, copy.command(line.removeprefix("$ ")), 0.0) if shown else None
+                printed = copy.command(line.removeprefix("$ "))
+                wrong = documents.difference(shown, printed, 0.0) if shown else None
             except Wrong as why:
                 wrong = str(why)
             if wrong:
@@ -143,8 +144,10 @@ def main():
     given = parser.parse_args()
     text = (ROOT / "doc" / "extending.md").read_text(encoding="utf-8")
     recipes = [(name, blocks) for name, blocks in recipes_of(text)
-               if given.only is None or given.only in name]
-    copy, files, failed = Copy(given.build.resolve() / "recipes"), {}, not recipes
+               if given.only is None or given.only.lower() in name.lower()]
+    if not recipes:
+        parser.error(f"no recipe has {given.only} in its heading")
+    copy, files, failed = Copy(given.build.resolve() / "recipes"), {}, False
     try:
         for name, blocks in recipes:
             carried_out(blocks, {})

@@ -17,7 +17,8 @@ export const loadUnitOf = (scene) => (isSphere(scene) ? 'πwR' : 'πwε');
 export const labelOf = ({label}, scene) => (typeof label === 'function' ? label(scene) : label);
 
 // One row a field: the option; the label, or that for a scene; its usual value; `range`, that of the slider (logarithmic unless it begins
-// with 0); `choices`; `isTable`, whether it is the text of a table; `of`, whether a scene has the field; `si`, the SI unit in
+// with 0); `choices`; `isTable`, whether it is the text of a table; `of`, whether a scene has the
+// field; `law` or `profile`, to which alone it belongs; `si`, the SI unit in
 // which the form shows it; `part`, where; `varies`, whether a series can vary it.
 export const FIELDS = [
   {name: 'tabor', label: 'Tabor parameter μ', usual: '1', range: [0.05, 20], of: (s) => inEpsilon(s) && isSphere(s)},
@@ -39,31 +40,31 @@ export const FIELDS = [
     choices: ['sphere', 'cone', 'power', 'punch', 'truncated', 'table'],
     of: inEpsilon,
   },
-  {name: 'cone-t', label: 'Slope T of the cone', usual: '0.3', range: [0.01, 2], of: (s) => s.profile === 'cone'},
-  {name: 'power-c', label: 'Factor C of C rᴺ', usual: '0.01', range: [1e-4, 1], of: (s) => s.profile === 'power'},
-  {name: 'power-n', label: 'Exponent N of C rᴺ', usual: '3', range: [1.1, 8], of: (s) => s.profile === 'power'},
-  {name: 'punch-b', label: 'Radius B of the flat end (ε)', usual: '5', range: [0.5, 50], of: (s) => s.profile === 'punch'},
-  {name: 'punch-r', label: 'Radius R of the rounded edge (ε)', usual: '20', range: [1, 500], of: (s) => s.profile === 'punch'},
+  {name: 'cone-t', label: 'Slope T of the cone', usual: '0.3', range: [0.01, 2], profile: 'cone'},
+  {name: 'power-c', label: 'Factor C of C rᴺ', usual: '0.01', range: [1e-4, 1], profile: 'power'},
+  {name: 'power-n', label: 'Exponent N of C rᴺ', usual: '3', range: [1.1, 8], profile: 'power'},
+  {name: 'punch-b', label: 'Radius B of the flat end (ε)', usual: '5', range: [0.5, 50], profile: 'punch'},
+  {name: 'punch-r', label: 'Radius R of the rounded edge (ε)', usual: '20', range: [1, 500], profile: 'punch'},
   {
     name: 'truncated-b',
     label: 'Radius B of the flat end (ε)',
     usual: '5',
     range: [0.5, 50],
-    of: (s) => s.profile === 'truncated',
+    profile: 'truncated',
   },
   {
     name: 'truncated-r',
     label: 'Radius R of the sphere (ε)',
     usual: '90',
     range: [10, 1000],
-    of: (s) => s.profile === 'truncated',
+    profile: 'truncated',
   },
   {name: 'table', label: 'Table: columns r and gap', usual: WORN, isTable: true, of: isTable},
   {name: 'table-scale', label: 'Unit of the table (ε)', usual: '1', range: [0.01, 100], of: isTable},
   {name: 'law', label: 'Traction–separation law', usual: 'lennard-jones', choices: ['lennard-jones', 'mie', 'morse']},
-  {name: 'mie-m', label: 'Exponent M', usual: '4', range: [1.5, 8], of: (s) => s.law === 'mie'},
-  {name: 'mie-n', label: 'Exponent N', usual: '10', range: [4, 20], of: (s) => s.law === 'mie'},
-  {name: 'morse-a', label: 'Parameter A', usual: '1', range: [0.2, 5], of: (s) => s.law === 'morse'},
+  {name: 'mie-m', label: 'Exponent M', usual: '4', range: [1.5, 8], law: 'mie'},
+  {name: 'mie-n', label: 'Exponent N', usual: '10', range: [4, 20], law: 'mie'},
+  {name: 'morse-a', label: 'Parameter A', usual: '1', range: [0.2, 5], law: 'morse'},
   {name: 'waves', label: 'Several waves: A,λ; A,λ; … (ε)', usual: '', of: inEpsilon, part: 'more'},
   {name: 'outer-radius', label: 'Outer radius of the surface (ε, or inf)', usual: 'inf', of: inEpsilon, part: 'more'},
   {name: 'preload', label: 'Preload: approach (ε, or inf)', usual: '', part: 'more', of: inEpsilon},
@@ -103,12 +104,13 @@ export const FIELDS = [
 ];
 
 const FIELD = new Map(FIELDS.map((field) => [field.name, field]));
-const has = (scene, field) => !field.of || field.of(scene);
+const has = (scene, field) =>
+  (!field.of || field.of(scene)) && ['law', 'profile'].every((owner) => !field[owner] || scene[owner] === field[owner]);
 export const fieldsOf = (scene) => FIELDS.filter((field) => has(scene, field));
 export const valueOf = (scene, name) => scene[name] ?? FIELD.get(name).usual;
 
 // Options that a profile, a law or SI units need, whether or not the value is the usual one.
-const isNeeded = (field) => /^(coupling|cone|power|punch|truncated|table$|mie|morse)/.test(field.name) || /-(m|pa|m2)$/.test(field.name);
+const isNeeded = (field) => field.law || field.profile || /^(coupling|table)$|-(m|pa|m2)$/.test(field.name);
 export const SI_ENDING = /-(n-per-m|j-per-m2|pa|m|n)$/;
 const isWave = (name) => /^wavelength/.test(name);
 
@@ -246,11 +248,13 @@ export function sceneOf(fragment) {
 
 const rounded = (value) => String(Number(value.toPrecision(6)));
 
+const OF_BOTH = ['law', 'tolerance', 'scheme', 'nodes', 'grading'];
+
 // The scene of a sphere in the other units: SI units for the usual work of adhesion and distance, to six digits; epsilon for
 // the member `input` of its result.
 export function inOtherUnits(scene, input) {
   const law = Object.fromEntries(
-    Object.entries(scene).filter(([name]) => !FIELD.get(name) || /^(law|mie|morse|tolerance|scheme|nodes|grading)/.test(name)),
+    Object.entries(scene).filter(([name]) => !FIELD.get(name) || FIELD.get(name).law || OF_BOTH.includes(name)),
   );
   if (isSI(scene)) {
     delete law['from-physical'];

@@ -11,7 +11,6 @@ from .figure import BLUE, GREEN, ORANGE, PURPLE, VERMILLION, Figure, failures
 NUMBER = None
 TITLE = "Pull-off of the smooth sphere under four laws"
 COLOURS, SHAPES = (BLUE, VERMILLION, GREEN, PURPLE, ORANGE), (6, 4, 8, 12, 10)
-NAMES = {"lennard-jones": "Lennard-Jones", "mie": "Mie", "morse": "Morse"}
 LIMITS = ((2.0, lambda tabor: tabor <= 1), (1.5, lambda tabor: tabor >= 1))  # rigid, JKR; where each is drawn
 
 
@@ -20,7 +19,7 @@ def law_name(point):
     scene = point["input"]  # the sweep spells the law with its parameters
     name = scene["law"]
     parameters = [plain(value) for key, value in scene.items() if key.startswith(f"{name}_") and value is not None]
-    return NAMES[name] + (f" ({', '.join(parameters)})" if parameters else "")
+    return name.title() + (f" ({', '.join(parameters)})" if parameters else "")
 
 
 def by_law(case):
