@@ -11,18 +11,12 @@
 #include "po_request.h"
 #include "po_status.h"
 
-/* The wanted results. Every traced branch delivers the first three. */
-typedef enum {
-  PO_CASE_PULL_OFF = 1,
-  PO_CASE_FOLDS = 2,
-  PO_CASE_EXTREMA = 4,
-  PO_CASE_CURVE = 8,
-  PO_CASE_PROFILE = 16,
-  PO_CASE_HYSTERESIS = 32,
-  PO_CASE_DIAGNOSTICS = 64,
-  PO_CASE_PRELOAD = 128,
-  PO_CASE_THEORIES = 256,
-} po_case_want;
+/* The wanted results: PO_WANT_..., and these three, which every traced branch delivers. */
+enum {
+  PO_CASE_PULL_OFF = 1 << PO_WANT_COUNT,
+  PO_CASE_FOLDS = 2 << PO_WANT_COUNT,
+  PO_CASE_EXTREMA = 4 << PO_WANT_COUNT
+};
 
 /* A key whose value is drawn at random: as written, and parsed. */
 typedef struct {
@@ -134,7 +128,7 @@ typedef struct {
   po_case_file *file;
   bool is_physical;     /* the scene is given in SI units; results are reported in them as well */
   po_units units;       /* if is_physical */
-  unsigned want;        /* bit set of po_case_want */
+  unsigned want;        /* bit set of PO_WANT_... and PO_CASE_... */
   unsigned repeats;     /* number of timed repetitions of each solve */
   size_t series_length; /* scenes of a series in parameter continuation; 1: every scene is traced */
   size_t checkpoints;   /* every so many scenes of a series one is a checkpoint */

@@ -19,9 +19,17 @@ const char *po_case_word(const po_case *kase) {
   return kase->word ? kase->word : kase->file->name;
 }
 
+/* Returned: the bit of a wanted result; 0 if a name is unknown. */
+static unsigned want_of(const char *name) {
+  static const char *const OF_BRANCH[] = {"pull_off", "folds", "extrema"};
+  const unsigned count = PO_WANT_COUNT + sizeof OF_BRANCH / sizeof *OF_BRANCH;
+  for (unsigned k = 0; k < count; ++k)
+    if (strcmp(name, k < PO_WANT_COUNT ? po_want_name((int)k) : OF_BRANCH[k - PO_WANT_COUNT]) == 0)
+      return 1U << k;
+  return 0;
+}
+
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
-  static const char *const WANTS[] = {"pull_off",   "folds",       "extrema", "curve",   "profile",
-                                      "hysteresis", "diagnostics", "preload", "theories"};
   const po_case_file *file = kase->file;
   if (!po_case_is_name(file->name) || strlen(file->name) > 64)
     return po_schema_refuse(yaml, NULL, "name");
@@ -34,10 +42,7 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
     if (!po_case_is_name(file->suite_names[i]))
       return po_schema_refuse(yaml, "letters, digits, _ and -", "suites[%u]", i + 1);
   for (unsigned i = 0; i < file->want_names_count; ++i) {
-    unsigned want = 0;
-    for (unsigned k = 0; k < sizeof WANTS / sizeof *WANTS; ++k)
-      if (strcmp(file->want_names[i], WANTS[k]) == 0)
-        want = 1u << k;
+    const unsigned want = want_of(file->want_names[i]);
     if (!want)
       return po_schema_refuse(yaml,
                               "pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, "

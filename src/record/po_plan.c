@@ -70,9 +70,9 @@ unsigned po_plan_asked(const po_plan *plan) {
     asked |= 1U << PO_FOLDS;
   if (kase->want & PO_CASE_EXTREMA)
     asked |= 1U << PO_EXTREMA;
-  if (kase->want & PO_CASE_CURVE)
+  if (kase->want & PO_WANT_CURVE)
     asked |= 1U << PO_CURVE;
-  if (kase->want & PO_CASE_HYSTERESIS)
+  if (kase->want & PO_WANT_HYSTERESIS)
     asked |= HYSTERESIS;
   for (unsigned i = 0; i < kase->file->checks_count; ++i)
     asked |= 1U << kase->file->checks[i].quantity;
@@ -90,19 +90,7 @@ static const unsigned WANTS[] = {[PO_OF_LOOP] = PO_WANT_HYSTERESIS,
 /* Determines which results the case and its checks need. */
 static void decide(po_plan *plan) {
   const po_case *kase = plan->kase;
-  plan->want = 0;
-  if (kase->want & PO_CASE_CURVE)
-    plan->want |= PO_WANT_CURVE;
-  if (kase->want & PO_CASE_PROFILE)
-    plan->want |= PO_WANT_PROFILE;
-  if (kase->want & PO_CASE_HYSTERESIS)
-    plan->want |= PO_WANT_HYSTERESIS;
-  if (kase->want & PO_CASE_DIAGNOSTICS)
-    plan->want |= PO_WANT_DIAGNOSTICS;
-  if (kase->want & PO_CASE_PRELOAD)
-    plan->want |= PO_WANT_PRELOAD;
-  if (kase->want & PO_CASE_THEORIES)
-    plan->want |= PO_WANT_THEORIES;
+  plan->want = kase->want & ((1U << PO_WANT_COUNT) - 1);
   for (unsigned i = 0; i < kase->file->checks_count; ++i) {
     const po_quantity quantity = kase->file->checks[i].quantity;
     if (quantity == PO_CURVE && plan->references[i].type != PO_REFERENCE_ABSENT)

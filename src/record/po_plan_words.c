@@ -130,7 +130,7 @@ static void tell_wants(po_plan *plan) {
                 : "find on each branch: pull-off, folds, extrema of the load");
   if (plan->want & PO_WANT_CURVE)
     say(plan, "keep the points of the branch: %s",
-        kase->want & PO_CASE_CURVE ? "the case wants the curve" : "the curve is compared");
+        kase->want & PO_WANT_CURVE ? "the case wants the curve" : "the curve is compared");
   else
     say(plan, "no curves: neither the case nor a check needs them");
   say(plan, plan->want & PO_WANT_PROFILE
