@@ -66,14 +66,14 @@ static po_status parse_repeats(po_case *kase, const po_yaml *yaml) {
  * have. */
 static po_status check_pin(const po_case_file *file, const po_check *check, unsigned number,
                            const po_yaml *yaml) {
-  if (po_check_is_pin(check) && po_case_varies(file, PO_KEY_TIME_LIMIT))
+  if (check->type == PO_REFERENCE_PINS && po_case_varies(file, PO_KEY_TIME_LIMIT))
     return po_schema_refuse(
         yaml, "a reference other than pin, as pins do not depend on time_limit and it varies",
         "checks[%u].reference", number);
-  if (check->quantity == PO_CURVE && po_check_is_pin(check))
+  if (check->quantity == PO_CURVE && check->type == PO_REFERENCE_PINS)
     return po_schema_refuse(yaml, "folds and extrema, as a curve itself cannot be pinned",
                             "checks[%u].quantity", number);
-  if (check->quantity == PO_WORK && !po_check_is_pin(check))
+  if (check->quantity == PO_WORK && check->type != PO_REFERENCE_PINS)
     return po_schema_refuse(yaml, "pin, as work has no other reference", "checks[%u].reference",
                             number);
   return PO_OK;
@@ -96,7 +96,8 @@ static const char ROUNDING[] = "1e-9", ROUNDING_OF_WORK[] = "0.1";
 
 /* A check against pins needs no tolerance, since the values are the same to the last bit. */
 static po_status complete_check(po_check *check, unsigned number, const po_yaml *yaml) {
-  if (po_check_is_pin(check) && !check->tolerance_text && !check->kind_text && !check->because) {
+  if (check->type == PO_REFERENCE_PINS && !check->tolerance_text && !check->kind_text &&
+      !check->because) {
     check->tolerance_text =
         po_copy_text(strcmp(check->quantity_text, "work") == 0 ? ROUNDING_OF_WORK : ROUNDING);
     check->kind_text = po_copy_text("rel");
@@ -112,11 +113,13 @@ static po_status complete_check(po_check *check, unsigned number, const po_yaml 
 
 static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
                              const po_yaml *yaml) {
+  static const char *const KINDS[] = {"abs", "rel", "ulp"};
   const int quantity = po_quantity_of_name(check->quantity_text);
   int kind = 0;
   if (quantity == PO_QUANTITY_COUNT)
     return po_schema_refuse(yaml, NULL, "checks[%u].quantity", number);
   check->quantity = (po_quantity)quantity;
+  check->type = po_reference_type_of(check->reference);
   const po_status complete = complete_check(check, number, yaml);
   if (complete)
     return complete;
@@ -125,8 +128,7 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   char path[PO_CASE_WHERE_LENGTH];
   snprintf(path, sizeof path, "checks[%u].tolerance", number);
   check->tolerance_line = po_yaml_line(yaml, path);
-  while (kind <= PO_TOLERANCE_ULP &&
-         strcmp(check->kind_text, po_tolerance_kind_name((po_tolerance_kind)kind)) != 0)
+  while (kind <= PO_TOLERANCE_ULP && strcmp(check->kind_text, KINDS[kind]) != 0)
     ++kind;
   if (kind > PO_TOLERANCE_ULP)
     return po_schema_refuse(yaml, NULL, "checks[%u].kind", number);
@@ -134,24 +136,23 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
     return po_schema_refuse(yaml, "abs, as the distance between curves is absolute",
                             "checks[%u].kind", number);
   check->kind = (po_tolerance_kind)kind;
-  const po_reference_type reference = po_reference_type_of(check->reference);
-  const bool is_table = reference == PO_REFERENCE_TABLE;
-  const bool diagnostic = po_quantity_is_diagnostic(check->quantity);
-  if (diagnostic != (reference == PO_REFERENCE_ZERO))
+  const bool is_table = check->type == PO_REFERENCE_TABLE;
+  const bool diagnostic = po_quantity_is(check->quantity, PO_OF_DIAGNOSTICS);
+  if (diagnostic != (check->type == PO_REFERENCE_ZERO))
     return po_schema_refuse(yaml,
                             diagnostic ? "zero, as the quantity vanishes for an exact solution"
                                        : "bradley, pin or the path of a CSV file",
                             "checks[%u].reference", number);
   if (diagnostic && kind != PO_TOLERANCE_ABS)
     return po_schema_refuse(yaml, "abs, as the reference is zero", "checks[%u].kind", number);
-  if (po_quantity_is_hysteresis(check->quantity) && !is_table)
+  if (po_quantity_is(check->quantity, PO_OF_LOOP) && !is_table)
     return po_schema_refuse(yaml, "the path of a CSV file, as only tables contain hysteresis",
                             "checks[%u].reference", number);
   if (po_quantity_is_steps(check->quantity) && !is_table)
     return po_schema_refuse(yaml, "the path of a CSV file, as only tables contain steps",
                             "checks[%u].reference", number);
   const bool share = check->quantity == PO_SOLVED_SHARE;
-  if (share != (reference == PO_REFERENCE_EVERY_SCENE))
+  if (share != (check->type == PO_REFERENCE_EVERY_SCENE))
     return po_schema_refuse(yaml,
                             share ? "every_scene, as the share refers to all scenes of the case"
                                   : "bradley, pin or the path of a CSV file",
@@ -172,12 +173,12 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
 static po_status parse_measure(po_check *measure, unsigned number, const po_yaml *yaml) {
   const int quantity = po_quantity_of_name(measure->quantity_text);
   if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE ||
-      po_quantity_is_diagnostic((po_quantity)quantity) ||
-      po_quantity_is_hysteresis((po_quantity)quantity) ||
-      po_quantity_is_preload((po_quantity)quantity))
+      po_quantity_is((po_quantity)quantity, PO_OF_DIAGNOSTICS) ||
+      po_quantity_is((po_quantity)quantity, PO_OF_LOOP) ||
+      po_quantity_is((po_quantity)quantity, PO_OF_STAIRCASE))
     return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
-  const po_reference_type reference = po_reference_type_of(measure->reference);
-  if (reference != PO_REFERENCE_BRADLEY && reference != PO_REFERENCE_TABLE)
+  measure->type = po_reference_type_of(measure->reference);
+  if (measure->type != PO_REFERENCE_BRADLEY && measure->type != PO_REFERENCE_TABLE)
     return po_schema_refuse(yaml, NULL, "measure[%u].reference", number);
   measure->quantity = (po_quantity)quantity;
   measure->tolerance = (double)INFINITY;
@@ -201,7 +202,8 @@ static po_status check_as_if(const po_check *check, unsigned number, const po_ya
     if (check->as_if[i].values_count > 1)
       return po_schema_refuse(yaml, "one value", "%s.values", where);
   }
-  if (check->as_if_count && (po_check_is_pin(check) || po_check_is_traced(check)))
+  if (check->as_if_count &&
+      (check->type == PO_REFERENCE_PINS || check->type == PO_REFERENCE_TRACED))
     return po_schema_refuse(yaml,
                             "a reference other than pin and traced, as as_if selects another scene",
                             "checks[%u].reference", number);
@@ -219,8 +221,7 @@ static po_status check_stand_ins(po_case *kase, const po_yaml *yaml) {
               strcmp(file->checks[k].reference, file->checks[i].stand_in) == 0;
     if (!found)
       return po_schema_refuse(yaml, NULL, "checks[%u].stand_in", i + 1);
-    if (file->checks[i].stand_in &&
-        po_reference_type_of(file->checks[i].reference) != PO_REFERENCE_TABLE)
+    if (file->checks[i].stand_in && file->checks[i].type != PO_REFERENCE_TABLE)
       return po_schema_refuse(yaml, "the path of a CSV file, as it has a stand-in",
                               "checks[%u].reference", i + 1);
   }
@@ -230,7 +231,7 @@ static po_status check_stand_ins(po_case *kase, const po_yaml *yaml) {
 static bool concerns_none(const po_case *kase, const po_check *check) {
   for (size_t k = 0; k < kase->point_count; ++k)
     if (po_check_concerns(check, &kase->points[k].request) &&
-        (kase->points[k].traced || !po_check_is_traced(check)))
+        (kase->points[k].traced || check->type != PO_REFERENCE_TRACED))
       return false;
   return true;
 }
@@ -270,7 +271,8 @@ static po_status check_pinned(po_case *kase, const po_yaml *yaml) {
   mark_shares(kase, may_fail);
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->checks_count; ++i)
-    for (size_t p = 0; !status && po_check_is_pin(&file->checks[i]) && p < kase->point_count; ++p)
+    for (size_t p = 0;
+         !status && file->checks[i].type == PO_REFERENCE_PINS && p < kase->point_count; ++p)
       if (may_fail[p] && po_check_concerns(&file->checks[i], &kase->points[p].request))
         status = po_schema_refuse(
             yaml, "a reference other than pin where a solved_share lets solves fail",

@@ -14,7 +14,7 @@ static bool is_between(const po_case *kase, size_t point) {
 }
 
 static bool can_be_traced(const po_case_file *file, const po_check *check) {
-  return file->traced && po_quantity_is_pull_off(check->quantity);
+  return file->traced && po_quantity_is(check->quantity, PO_OF_PULL_OFF);
 }
 
 po_status po_case_traced_parse(po_case *kase, const po_yaml *yaml) {
@@ -22,11 +22,11 @@ po_status po_case_traced_parse(po_case *kase, const po_yaml *yaml) {
   bool checked = !file->traced;
   for (unsigned i = 0; i < file->checks_count; ++i) {
     const po_check *check = &file->checks[i];
-    if (po_check_is_traced(check) && !can_be_traced(file, check))
+    if (check->type == PO_REFERENCE_TRACED && !can_be_traced(file, check))
       return po_schema_refuse(yaml,
                               "traced only for a pull-off, in a case with `traced: {seed, count}`",
                               "checks[%u].reference", i + 1);
-    checked = checked || po_check_is_traced(check);
+    checked = checked || check->type == PO_REFERENCE_TRACED;
   }
   if (!checked)
     return po_schema_refuse(yaml, "a check against traced", "traced");
@@ -96,7 +96,7 @@ po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml) {
                               "want[%u]", i + 1);
   for (unsigned i = 0; i < file->checks_count; ++i) {
     const po_quantity quantity = file->checks[i].quantity;
-    if (!po_quantity_is_pull_off(quantity) && quantity != PO_SOLVED_SHARE)
+    if (!po_quantity_is(quantity, PO_OF_PULL_OFF) && quantity != PO_SOLVED_SHARE)
       return po_schema_refuse(yaml,
                               "pull_off_force, pull_off_approach, contact_radius or solved_share, "
                               "as follow continues only the pull-off",

@@ -31,14 +31,8 @@ static const po_quantity_row QUANTITIES[PO_QUANTITY_COUNT] = {
 };
 // clang-format on
 
-static const char *const KINDS[] = {"abs", "rel", "ulp"};
-
 const po_quantity_row *po_quantity_of(po_quantity quantity) {
   return &QUANTITIES[quantity];
-}
-
-const char *po_quantity_name(po_quantity quantity) {
-  return QUANTITIES[quantity].name;
 }
 
 int po_quantity_of_name(const char *name) {
@@ -48,28 +42,12 @@ int po_quantity_of_name(const char *name) {
   return quantity;
 }
 
-bool po_quantity_is_pull_off(po_quantity quantity) {
-  return QUANTITIES[quantity].family == PO_OF_PULL_OFF;
-}
-
-bool po_quantity_is_diagnostic(po_quantity quantity) {
-  return QUANTITIES[quantity].family == PO_OF_DIAGNOSTICS;
-}
-
-bool po_quantity_is_hysteresis(po_quantity quantity) {
-  return QUANTITIES[quantity].family == PO_OF_LOOP;
-}
-
-bool po_quantity_is_preload(po_quantity quantity) {
-  return QUANTITIES[quantity].family == PO_OF_STAIRCASE;
+bool po_quantity_is(po_quantity quantity, po_quantity_family family) {
+  return QUANTITIES[quantity].family == family;
 }
 
 bool po_quantity_is_steps(po_quantity quantity) {
   return quantity == PO_STEPS || quantity == PO_LOAD_STEPS;
-}
-
-const char *po_tolerance_kind_name(po_tolerance_kind kind) {
-  return KINDS[kind];
 }
 
 bool po_check_concerns(const po_check *check, const po_request *request) {
@@ -96,14 +74,6 @@ po_reference_type po_reference_type_of(const char *reference) {
     if (strcmp(reference, WORDS[i].word) == 0)
       return WORDS[i].type;
   return PO_REFERENCE_TABLE;
-}
-
-bool po_check_is_pin(const po_check *check) {
-  return po_reference_type_of(check->reference) == PO_REFERENCE_PINS;
-}
-
-bool po_check_is_traced(const po_check *check) {
-  return po_reference_type_of(check->reference) == PO_REFERENCE_TRACED;
 }
 
 double po_check_allowance(const po_check *check, double expected) {

@@ -63,6 +63,7 @@ typedef struct {
   po_axis *when; /* the check applies to points that fulfil all these conditions */
   unsigned when_count;
   po_quantity quantity;
+  po_reference_type type; /* of the reference */
   double tolerance;
   po_tolerance_kind kind;
   size_t tolerance_line; /* line of the tolerance in the file */
@@ -78,8 +79,6 @@ po_request po_check_request(const po_check *check, const po_request *request);
 /* Returned: the type of the reference that a case file names: "bradley", "pin", "zero",
  * "every_scene" or "traced"; any other text is the path of a table. */
 po_reference_type po_reference_type_of(const char *reference);
-bool po_check_is_pin(const po_check *check);
-bool po_check_is_traced(const po_check *check);
 
 /* What a quantity is of. Parameter continuation delivers only those of the pull-off; the only
  * reference of a diagnostic is zero. */
@@ -100,19 +99,12 @@ typedef struct {
 } po_quantity_row;
 const po_quantity_row *po_quantity_of(po_quantity quantity);
 
-bool po_quantity_is_pull_off(po_quantity quantity);
-bool po_quantity_is_diagnostic(po_quantity quantity);
-bool po_quantity_is_hysteresis(po_quantity quantity);
-bool po_quantity_is_preload(po_quantity quantity);
+bool po_quantity_is(po_quantity quantity, po_quantity_family family);
 /* Reports whether a quantity is a list of steps. */
 bool po_quantity_is_steps(po_quantity quantity);
 
 /* Returned: the quantity with a name; PO_QUANTITY_COUNT if there is none. */
 int po_quantity_of_name(const char *name);
-
-/* Returned: the name in case files. */
-const char *po_quantity_name(po_quantity quantity);
-const char *po_tolerance_kind_name(po_tolerance_kind kind);
 
 /* Returned: the tolerance of a check around an expected value as an absolute number. */
 double po_check_allowance(const po_check *check, double expected);

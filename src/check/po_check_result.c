@@ -66,7 +66,7 @@ static po_verdict judge(const po_check_result *check_result) {
     return PO_MISSING_REFERENCE;
   if (isnan(check_result->obtained))
     return PO_NO_RESULT;
-  if (po_check_is_pin(check_result->check) && check_result->error == 0)
+  if (check_result->check->type == PO_REFERENCE_PINS && check_result->error == 0)
     return PO_IDENTICAL;
   return fabs(check_result->error) <= check_result->allowance ? PO_WITHIN : PO_OUTSIDE;
 }

@@ -41,7 +41,7 @@ static po_status compare_single(const po_comparison *c) {
   if (status && status != PO_NOT_FOUND)
     return status;
   po_check_result *item =
-      po_compare_add(c, po_quantity_name(quantity), "", po_compare_obtained(quantity, result),
+      po_compare_add(c, po_quantity_of(quantity)->name, "", po_compare_obtained(quantity, result),
                      status ? UNKNOWN : expected);
   if (!item)
     return PO_NO_MEMORY;

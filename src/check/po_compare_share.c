@@ -22,9 +22,9 @@ po_status po_compare_share(const po_case *kase, const bool *asked, const po_chec
   if (!concerned)
     return PO_OK;
   const po_reference_number expected = {1, (double)NAN};
-  po_check_result *item =
-      po_check_results_add(check_results, kase, example, check, po_quantity_name(check->quantity),
-                           "", (double)solved / (double)concerned, expected);
+  po_check_result *item = po_check_results_add(check_results, kase, example, check,
+                                               po_quantity_of(check->quantity)->name, "",
+                                               (double)solved / (double)concerned, expected);
   char *id = po_copy_text("solved_share/every_scene");
   if (!item || !id) {
     free(id);

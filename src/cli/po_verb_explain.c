@@ -66,7 +66,7 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
   bool lacking = false;
   for (po_finding f = {0}; po_finding_next(run, &f);)
     lacking = lacking ||
-              (f.item && po_check_is_pin(f.item->check) &&
+              (f.item && f.item->check->type == PO_REFERENCE_PINS &&
                f.item->verdict == PO_MISSING_REFERENCE && po_explain_concerns(run, choice, &f));
   if (!status && lacking)
     po_print_bless(run->plan->kase);

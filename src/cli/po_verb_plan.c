@@ -110,8 +110,8 @@ static po_status print_plan(const po_case *kase) {
   status = print_needs(plan);
   bool lacking = false;
   for (unsigned c = 0; c < kase->file->checks_count; ++c)
-    lacking = lacking ||
-              (po_check_is_pin(&kase->file->checks[c]) && !po_pins_exist(&plan->references[c]));
+    lacking = lacking || (kase->file->checks[c].type == PO_REFERENCE_PINS &&
+                          !po_pins_exist(&plan->references[c]));
   if (lacking)
     po_print_bless(kase);
   po_plan_destroy(plan);

@@ -164,7 +164,7 @@ static bool blame_alone(const po_check_result *item, po_blame *blame) {
         "more solves failed than the check permits, or one has no reason; each is listed below");
     return true;
   }
-  if (item->verdict == PO_OUTSIDE && po_check_is_traced(item->check)) {
+  if (item->verdict == PO_OUTSIDE && item->check->type == PO_REFERENCE_TRACED) {
     say(blame, "program",
         "the trace of the same scene finds another pull-off: the continuation left its branch, or "
         "the trace missed a minimum; the greater pull-off force is probably correct");
@@ -186,7 +186,7 @@ static bool blame_alone(const po_check_result *item, po_blame *blame) {
   case PO_MISSING_REFERENCE:
     say(blame, pin ? "pin" : "reference",
         pin ? "it is not blessed yet"
-        : po_check_is_traced(item->check)
+        : item->check->type == PO_REFERENCE_TRACED
             ? "the trace of the scene failed"
             : "it does not contain this scene: add the scene to it, or exclude the scene from the "
               "check by `when`");

@@ -55,9 +55,9 @@ void po_plan_add_rerun(const po_plan *plan, size_t point, po_text *text) {
 bool po_plan_covers(const po_plan *plan, const po_check *check) {
   if (!plan->solver)
     return true;
-  if (po_check_is_traced(check) || !po_solver_computes(plan->solver, check->quantity))
+  if (check->type == PO_REFERENCE_TRACED || !po_solver_computes(plan->solver, check->quantity))
     return false;
-  return !po_check_is_pin(check) ||
+  return check->type != PO_REFERENCE_PINS ||
          po_pins_exist(&plan->references[check - plan->kase->file->checks]);
 }
 
@@ -177,7 +177,7 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->checks_count; ++i) {
     const po_check *check = &file->checks[i];
-    status = po_check_is_pin(check)
+    status = check->type == PO_REFERENCE_PINS
                  ? po_pins_open(plan->kase, check->reference,
                                 plan->solver ? plan->solver->name : NULL, &plan->references[i])
                  : open_check(plan, data_folder, check, false, &plan->references[i]);

@@ -224,7 +224,7 @@ static void tell_checks(po_plan *plan) {
     say(plan, "compare %s with %s at %zu of %zu points, tolerance %s %s", check->quantity_text,
         po_reference_shown(reference), concerned, kase->point_count, check->tolerance_text,
         check->kind_text);
-    if (po_check_is_pin(check) && !po_pins_exist(reference))
+    if (check->type == PO_REFERENCE_PINS && !po_pins_exist(reference))
       say(plan, "  but there are no pins yet");
     else if (covered < concerned)
       say(plan, "  but %s has no value for %zu of these", po_reference_shown(reference),

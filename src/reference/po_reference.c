@@ -184,7 +184,7 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
     return PO_OK;
   case PO_REFERENCE_PINS:
     number->uncertainty = 0;
-    return po_pins_value(reference, po_quantity_name(quantity), request, &number->value);
+    return po_pins_value(reference, po_quantity_of(quantity)->name, request, &number->value);
   default:
     return find_single(reference, quantity, request, number);
   }
@@ -209,7 +209,7 @@ static po_status find_special_point(const po_reference *pins, po_quantity quanti
       return status;
   }
   return po_fail(PO_CANNOT_READ, "%s: special point %zu of the %s of a scene is missing",
-                 pins->shown, index + 1, po_quantity_name(quantity));
+                 pins->shown, index + 1, po_quantity_of(quantity)->name);
 }
 
 static po_status pins_points(const po_reference *pins, po_quantity quantity,
@@ -217,7 +217,7 @@ static po_status pins_points(const po_reference *pins, po_quantity quantity,
                              size_t *count) {
   char name[PO_PIN_NAME_LENGTH];
   double number = 0;
-  snprintf(name, sizeof name, "%s/count", po_quantity_name(quantity));
+  snprintf(name, sizeof name, "%s/count", po_quantity_of(quantity)->name);
   po_status status = po_pins_value(pins, name, request, &number);
   if (status)
     return status;

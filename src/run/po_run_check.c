@@ -61,7 +61,7 @@ static po_status judge_reach(po_case_run *run, const volatile sig_atomic_t *stop
     po_check_result *item = &run->check_results.items[i];
     if (item->whole || po_verdict_passes(item->verdict) || item->verdict == PO_NO_RESULT ||
         item->verdict == PO_MISSING_REFERENCE || item->ledger == PO_LEDGER_PIN ||
-        !po_quantity_is_pull_off(item->check->quantity))
+        !po_quantity_is(item->check->quantity, PO_OF_PULL_OFF))
       continue;
     bool reached = true;
     if (known[item->point] == UNKNOWN) {
@@ -144,7 +144,7 @@ static po_status compare_traced(po_case_run *run, const po_check *check,
         !po_check_concerns(check, &kase->points[i].request))
       continue;
     po_check_result *item = po_check_results_add(
-        &run->check_results, kase, i, check, po_quantity_name(check->quantity), "",
+        &run->check_results, kase, i, check, po_quantity_of(check->quantity)->name, "",
         po_compare_obtained(check->quantity, result), number_of(check, trace));
     if (!item)
       return PO_NO_MEMORY;
@@ -174,7 +174,7 @@ po_status po_run_check(po_case_run *run, const volatile sig_atomic_t *stop) {
       status = compare_share(run, check, &run->plan->references[c]);
       continue;
     }
-    if (po_check_is_traced(check)) {
+    if (check->type == PO_REFERENCE_TRACED) {
       status = compare_traced(run, check, &run->plan->references[c]);
       continue;
     }

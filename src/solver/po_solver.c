@@ -93,7 +93,7 @@ static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned nu
 
 /* Reports whether an external solver can compute a quantity: it has a place in an answer. */
 static bool has_answer(po_quantity quantity) {
-  return po_quantity_is_pull_off(quantity) || po_quantity_is_hysteresis(quantity) ||
+  return po_quantity_is(quantity, PO_OF_PULL_OFF) || po_quantity_is(quantity, PO_OF_LOOP) ||
          quantity == PO_FOLD_COUNT || quantity == PO_FOLDS || quantity == PO_EXTREMA ||
          quantity == PO_CURVE;
 }

@@ -28,6 +28,7 @@ static inline void make_check(int which, const char *reference, po_ledger ledger
                                   .tolerance_text = (char *)"made",
                                   .kind_text = (char *)"abs",
                                   .because = (char *)"it is made up",
+                                  .type = po_reference_type_of(reference),
                                   .quantity = which == WORK ? PO_WORK : PO_PULL_OFF_FORCE,
                                   .tolerance = tolerance,
                                   .kind = which == WORK ? PO_TOLERANCE_REL : PO_TOLERANCE_ABS};
