@@ -2,6 +2,7 @@
  * keys the axes of a case vary. */
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "po_case_parts.h"
@@ -97,7 +98,11 @@ po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)
   return status;
 }
 
-po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *yaml) {
+po_status po_case_axis_check(const po_case *kase, po_axis *axis, const char *where,
+                             const po_yaml *yaml) {
+  (void)kase;
+  if (!axis->key || axis->ascending)
+    return PO_OK;
   const int key = po_key_of_name(axis->key);
   if (key < 0)
     return po_case_refuse_key(yaml, "a key of the scene", NULL, where);
@@ -119,6 +124,42 @@ po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *ya
   if (same < axis->values_count)
     return po_schema_refuse(yaml, "each value once", "%s.values[%u]", where, same + 1);
   return PO_OK;
+}
+
+static po_status each_of_list(const po_case *kase, const po_yaml *yaml, po_case_axis_act *act,
+                              po_axis *axes, unsigned count, const char *list, unsigned number,
+                              const char *member) {
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < count; ++i) {
+    char where[PO_CASE_WHERE_LENGTH];
+    snprintf(where, sizeof where, "%s[%u].%s[%u]", list, number, member, i + 1);
+    status = act(kase, &axes[i], where, yaml);
+  }
+  return status;
+}
+
+po_status po_case_each_axis(const po_case *kase, const po_yaml *yaml, po_case_axis_act *act) {
+  const po_case_file *file = kase->file;
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < file->sweep_count; ++i) {
+    char where[PO_CASE_WHERE_LENGTH];
+    snprintf(where, sizeof where, "sweep[%u]", i + 1);
+    status = act(kase, &file->sweep[i].axis, where, yaml);
+  }
+  for (unsigned i = 0; !status && i < file->leave_out_count; ++i)
+    status = each_of_list(kase, yaml, act, file->leave_out[i].when, file->leave_out[i].when_count,
+                          "leave_out", i + 1, "when");
+  for (unsigned i = 0; !status && i < file->checks_count; ++i) {
+    const po_check *check = &file->checks[i];
+    status = each_of_list(kase, yaml, act, check->when, check->when_count, "checks", i + 1, "when");
+    if (!status)
+      status =
+          each_of_list(kase, yaml, act, check->as_if, check->as_if_count, "checks", i + 1, "as_if");
+  }
+  for (unsigned i = 0; !status && i < file->measure_count; ++i)
+    status = each_of_list(kase, yaml, act, file->measure[i].when, file->measure[i].when_count,
+                          "measure", i + 1, "when");
+  return status;
 }
 
 /* Returned: the place in `ascending` of the least value that is not below a number; values_count if

@@ -82,7 +82,7 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
   if (!axis->key)
     return po_case_refuse_key(yaml, "a key of the scene", NULL, where);
   const po_status status = po_axis_fill(axis, where, yaml);
-  return status ? status : po_case_axis_check(axis, where, yaml);
+  return status ? status : po_case_axis_check(NULL, axis, where, yaml);
 }
 
 /* Reports whether the item varies alpha or amplitude_ratio. A sweep may contain one of them:
@@ -92,8 +92,7 @@ static bool has_waviness(const po_sweep *sweep) {
   return key == PO_KEY_ALPHA || key == PO_KEY_AMPLITUDE_RATIO;
 }
 
-po_status po_case_sweep_check(po_case *kase, const po_yaml *yaml) {
-  const po_case_file *file = kase->file;
+static po_status check_sweep(const po_case_file *file, const po_yaml *yaml) {
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     po_sweep *sweep = &file->sweep[i];
     char where[PO_CASE_WHERE_LENGTH];
@@ -220,8 +219,8 @@ static po_status parse_unit(const po_case_file *file, unsigned index, const char
   return PO_OK;
 }
 
-po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml) {
-  po_sample_words *sample = kase->file->sample;
+static po_status parse_sample(const po_case_file *file, const po_yaml *yaml) {
+  po_sample_words *sample = file->sample;
   if (!sample)
     return PO_OK;
   size_t seed = 0;
@@ -234,13 +233,18 @@ po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml) {
   for (unsigned i = 0; !status && i < sample->keys_count; ++i) {
     char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "sample.keys[%u]", i + 1);
-    status = parse_key(kase->file, i, where, yaml);
+    status = parse_key(file, i, where, yaml);
     if (!status)
       status = parse_range(&sample->keys[i], where, yaml);
     if (!status)
-      status = parse_unit(kase->file, i, where, yaml);
+      status = parse_unit(file, i, where, yaml);
   }
   return status;
+}
+
+po_status po_case_sweep_parse(po_case *kase, const po_yaml *yaml) {
+  const po_status status = check_sweep(kase->file, yaml);
+  return status ? status : parse_sample(kase->file, yaml);
 }
 
 static double unit_of(const po_draw *draw, const po_request *request) {

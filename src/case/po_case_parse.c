@@ -79,17 +79,6 @@ static po_status check_pin(const po_case_file *file, const po_check *check, unsi
   return PO_OK;
 }
 
-static po_status check_when(po_axis *when, unsigned count, const char *list, unsigned number,
-                            const po_yaml *yaml) {
-  po_status status = PO_OK;
-  for (unsigned i = 0; !status && i < count; ++i) {
-    char where[PO_CASE_WHERE_LENGTH];
-    snprintf(where, sizeof where, "%s[%u].when[%u]", list, number, i + 1);
-    status = po_case_axis_check(&when[i], where, yaml);
-  }
-  return status;
-}
-
 /* What another machine may change by rounding, if the bits of this program are not the same there:
  * of a result, and of a counter of work. */
 static const char ROUNDING[] = "1e-9", ROUNDING_OF_WORK[] = "0.1";
@@ -109,6 +98,22 @@ static po_status complete_check(po_check *check, unsigned number, const po_yaml 
                         : !check->because      ? "because"
                                                : NULL;
   return missing ? po_schema_refuse(yaml, NULL, "checks[%u].%s", number, missing) : PO_OK;
+}
+
+static po_status check_as_if(const po_check *check, unsigned number, const po_yaml *yaml) {
+  for (unsigned i = 0; i < check->as_if_count; ++i)
+    if (check->as_if[i].values_count > 1)
+      return po_schema_refuse(yaml, "one value", "checks[%u].as_if[%u].values", number, i + 1);
+  if (check->as_if_count &&
+      (check->type == PO_REFERENCE_PINS || check->type == PO_REFERENCE_TRACED))
+    return po_schema_refuse(yaml,
+                            "a reference other than pin and traced, as as_if selects another scene",
+                            "checks[%u].reference", number);
+  return PO_OK;
+}
+
+static bool is_blank(const char *text) {
+  return text[strspn(text, " \t\n")] == '\0';
 }
 
 static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
@@ -161,12 +166,10 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
     return po_schema_refuse(
         yaml, kind ? "abs, as a share is absolute" : "the share that may fail, below 1",
         "checks[%u].%s", number, kind ? "kind" : "tolerance");
-  if (check->because[strspn(check->because, " \t\n")] == '\0')
+  if (is_blank(check->because))
     return po_schema_refuse(yaml, NULL, "checks[%u].because", number);
   const po_status pin = check_pin(file, check, number, yaml);
-  if (pin)
-    return pin;
-  return check_when(check->when, check->when_count, "checks", number, yaml);
+  return pin ? pin : check_as_if(check, number, yaml);
 }
 
 /* A measurement compares with an independent value, and has no tolerance. */
@@ -183,30 +186,6 @@ static po_status parse_measure(po_check *measure, unsigned number, const po_yaml
   measure->quantity = (po_quantity)quantity;
   measure->tolerance = (double)INFINITY;
   measure->kind = PO_TOLERANCE_ABS;
-  return check_when(measure->when, measure->when_count, "measure", number, yaml);
-}
-
-static po_status parse_leave_out(const po_leave_out *rule, unsigned number, const po_yaml *yaml) {
-  if (rule->because[strspn(rule->because, " \t\n")] == '\0')
-    return po_schema_refuse(yaml, NULL, "leave_out[%u].because", number);
-  return check_when(rule->when, rule->when_count, "leave_out", number, yaml);
-}
-
-static po_status check_as_if(const po_check *check, unsigned number, const po_yaml *yaml) {
-  for (unsigned i = 0; i < check->as_if_count; ++i) {
-    char where[PO_CASE_WHERE_LENGTH];
-    snprintf(where, sizeof where, "checks[%u].as_if[%u]", number, i + 1);
-    const po_status status = po_case_axis_check(&check->as_if[i], where, yaml);
-    if (status)
-      return status;
-    if (check->as_if[i].values_count > 1)
-      return po_schema_refuse(yaml, "one value", "%s.values", where);
-  }
-  if (check->as_if_count &&
-      (check->type == PO_REFERENCE_PINS || check->type == PO_REFERENCE_TRACED))
-    return po_schema_refuse(yaml,
-                            "a reference other than pin and traced, as as_if selects another scene",
-                            "checks[%u].reference", number);
   return PO_OK;
 }
 
@@ -285,23 +264,22 @@ static po_status parse_checks(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->checks_count; ++i)
-    if (!(status = parse_check(file, &file->checks[i], i + 1, yaml)))
-      status = check_as_if(&file->checks[i], i + 1, yaml);
+    status = parse_check(file, &file->checks[i], i + 1, yaml);
   for (unsigned i = 0; !status && i < file->measure_count; ++i)
     status = parse_measure(&file->measure[i], i + 1, yaml);
   for (unsigned i = 0; !status && i < file->leave_out_count; ++i)
-    status = parse_leave_out(&file->leave_out[i], i + 1, yaml);
-  return status;
+    if (is_blank(file->leave_out[i].because))
+      status = po_schema_refuse(yaml, NULL, "leave_out[%u].because", i + 1);
+  return status ? status : po_case_each_axis(kase, yaml, po_case_axis_check);
 }
 
 /* Checks every value of kase->file and fills want, repeats, checks and points. Status:
  * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
 static po_status parse(po_case *kase, const po_yaml *yaml) {
   static po_status (*const STEPS[])(po_case *, const po_yaml *) = {
-      parse_names,          parse_repeats,          po_case_profile_resolve, po_case_sweep_check,
-      po_case_sample_parse, po_case_physical_parse, po_case_profile_check,   po_case_scene_check,
-      parse_checks,         po_case_lines_parse,    po_case_follow_parse,    po_case_traced_parse,
-      check_stand_ins,      po_case_expand,         po_case_traced_draw,     check_concerned,
+      parse_names,         parse_repeats,  po_case_profile_resolve, po_case_sweep_parse,
+      po_case_scene_parse, parse_checks,   po_case_lines_parse,     po_case_series_parse,
+      check_stand_ins,     po_case_expand, po_case_traced_draw,     check_concerned,
       check_pinned};
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < sizeof STEPS / sizeof *STEPS; ++i)
@@ -332,25 +310,12 @@ po_status po_case_read(const char *path, const char *shown, po_case **result) {
   return status;
 }
 
-static void clear_axes(po_axis *axes, unsigned count) {
-  for (unsigned i = 0; i < count; ++i)
-    free(axes[i].ascending);
-}
-
-/* Frees the arrays that po_case_axis_check allocated. */
-static void case_axes_clear(po_case_file *file) {
-  if (!file)
-    return;
-  for (unsigned i = 0; i < file->sweep_count; ++i)
-    clear_axes(&file->sweep[i].axis, 1);
-  for (unsigned i = 0; i < file->leave_out_count; ++i)
-    clear_axes(file->leave_out[i].when, file->leave_out[i].when_count);
-  for (unsigned i = 0; i < file->checks_count; ++i) {
-    clear_axes(file->checks[i].when, file->checks[i].when_count);
-    clear_axes(file->checks[i].as_if, file->checks[i].as_if_count);
-  }
-  for (unsigned i = 0; i < file->measure_count; ++i)
-    clear_axes(file->measure[i].when, file->measure[i].when_count);
+/* Frees what po_case_axis_check allocated. */
+static po_status clear_axis(const po_case *kase, po_axis *axis, const char *where,
+                            const po_yaml *yaml) {
+  (void)kase, (void)where, (void)yaml;
+  free(axis->ascending);
+  return PO_OK;
 }
 
 void po_case_destroy(po_case *kase) {
@@ -359,7 +324,8 @@ void po_case_destroy(po_case *kase) {
   for (size_t i = 0; kase->points && i < kase->point_count; ++i)
     free(kase->points[i].label);
   free(kase->points);
-  case_axes_clear(kase->file);
+  if (kase->file)
+    po_case_each_axis(kase, NULL, clear_axis);
   po_schema_free(kase->file);
   free(kase->source);
   free(kase->word);

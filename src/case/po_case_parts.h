@@ -18,9 +18,9 @@ void po_schema_free(po_case_file *file);
 po_status po_schema_refuse(const po_yaml *yaml, const char *expected, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Checks and parses the section `sample`, if there is one. Status: PO_BAD_INPUT; the message states
- * file, line, path, value and what was expected. */
-po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml);
+/* Checks the sections `sweep` and `sample`, if there are any, and fills them. Status: PO_BAD_INPUT;
+ * the message states file, line, path, value and what was expected. */
+po_status po_case_sweep_parse(po_case *kase, const po_yaml *yaml);
 
 /* Checks the section `lines`: the names, the forms, the keys of the sweeps, and that every input of
  * each form is given. Status: as above. */
@@ -37,24 +37,27 @@ enum { PO_CASE_WHERE_LENGTH = 64 };
 po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
 
 /* Parses `follow` and `checkpoint_every`, and checks that the rest of the case agrees with them:
- * only pull-offs may be wanted and checked. Status: as above. */
-po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml);
+ * only pull-offs may be wanted and checked. Checks `traced`, and that a check against the reference
+ * `traced` exists if and only if the key is given. Status: as above. */
+po_status po_case_series_parse(po_case *kase, const po_yaml *yaml);
 
-/* po_case_traced_parse checks `traced`, and that a check against the reference `traced` exists if
- * and only if the key is given. po_case_traced_draw draws the scenes to trace; it needs the points.
- * Status: as above. */
-po_status po_case_traced_parse(po_case *kase, const po_yaml *yaml);
+/* Draws the scenes of `traced`, of the points. Status: as above. */
 po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml);
-
-/* Checks the section `sweep`, if there is one, and fills it. Status: as above. */
-po_status po_case_sweep_check(po_case *kase, const po_yaml *yaml);
 
 /* Reports whether an item of a sweep varies a key, either directly or by a group. */
 bool po_sweep_varies(const po_sweep *sweep, po_key key);
 
-/* Checks the key and the values of an axis and sorts the values; `where` is the path of the axis,
- * e.g. "checks[1].when[2]". Status: as above. */
-po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *yaml);
+/* What is done with an axis of a case; `where` is its path, e.g. "checks[1].when[2]". */
+typedef po_status po_case_axis_act(const po_case *kase, po_axis *axis, const char *where,
+                                   const po_yaml *yaml);
+
+/* Checks the key and the values of an axis and sorts the values, unless the axis has no key, or was
+ * checked. Status: as above. */
+po_case_axis_act po_case_axis_check;
+
+/* Does something with each axis of the sweep and of all conditions, until a status is not PO_OK.
+ * Returned: that status. */
+po_status po_case_each_axis(const po_case *kase, const po_yaml *yaml, po_case_axis_act *act);
 
 /* Refuses the key at WHERE.key. The message says that `what` was expected and lists all keys of the
  * scene that `fits` accepts (NULL: all keys). Status: as above. */
@@ -64,24 +67,18 @@ po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)
 /* Reports whether the sweep or the sample varies a key. */
 bool po_case_varies(const po_case_file *file, po_key key);
 
-/* Checks the scene, and that scene, sweep and sample together give every key that has no default.
- * Keys that follow from others may be absent: nodes of panels, the wavelength of a smooth sphere.
- * Status: as above. */
-po_status po_case_scene_check(po_case *kase, const po_yaml *yaml);
+/* Converts the block `physical`, if there is one, to the dimensionless scene and stores its units.
+ * Checks the scene, that no two keys set the same, as tabor and coupling, and that scene, sweep and
+ * sample together give every key that has no default. Keys that follow from others may be absent:
+ * nodes of panels, the wavelength of a smooth sphere. Status: as above. */
+po_status po_case_scene_parse(po_case *kase, const po_yaml *yaml);
 
 /* Replaces the names of tables of profiles, which are relative to the case file, by their paths,
  * and reads the tables. Status: as above; PO_CANNOT_READ. */
 po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml);
 
-/* Refuses two keys that set the same, as tabor and coupling. Status: as above. */
-po_status po_case_profile_check(po_case *kase, const po_yaml *yaml);
-
 /* Computes kase->points: every drawn scene with every combination of the sweep, without those that
  * a rule of `leave_out` excludes. Status: as above; PO_NO_MEMORY. */
 po_status po_case_expand(po_case *kase, const po_yaml *yaml);
-
-/* Converts the block `physical`, if there is one, to the dimensionless scene and stores its units.
- * Status: as above. */
-po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml);
 
 #endif

@@ -97,43 +97,12 @@ resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *forma
   return status ? case_refuse_for(yaml, where, status) : PO_OK;
 }
 
-static po_status resolve_axes(const po_case *kase, const po_yaml *yaml, po_axis *axes,
-                              unsigned count, const char *list) {
+static po_status resolve_axis(const po_case *kase, po_axis *axis, const char *where,
+                              const po_yaml *yaml) {
   po_status status = PO_OK;
-  for (unsigned i = 0; i < count; ++i)
-    if (axes[i].key && po_key_of_name(axes[i].key) == PO_KEY_PROFILE_FILE)
-      for (unsigned k = 0; k < axes[i].values_count && !status; ++k)
-        status = resolve(kase, yaml, &axes[i].values[k], "%s[%u].values[%u]", list, i + 1, k + 1);
-  return status;
-}
-
-static po_status resolve_checks(const po_case *kase, const po_yaml *yaml, po_check *checks,
-                                unsigned count, const char *list) {
-  po_status status = PO_OK;
-  for (unsigned i = 0; i < count && !status; ++i) {
-    char when[PO_CASE_WHERE_LENGTH], as_if[PO_CASE_WHERE_LENGTH];
-    snprintf(when, sizeof when, "%s[%u].when", list, i + 1);
-    snprintf(as_if, sizeof as_if, "%s[%u].as_if", list, i + 1);
-    status = resolve_axes(kase, yaml, checks[i].when, checks[i].when_count, when);
-    if (!status)
-      status = resolve_axes(kase, yaml, checks[i].as_if, checks[i].as_if_count, as_if);
-  }
-  return status;
-}
-
-static po_status resolve_sweep(const po_case *kase, const po_yaml *yaml) {
-  po_case_file *file = kase->file;
-  po_status status = PO_OK;
-  for (unsigned i = 0; i < file->sweep_count && !status; ++i) {
-    po_sweep *sweep = &file->sweep[i];
-    if (sweep->axis.key && po_key_of_name(sweep->axis.key) == PO_KEY_PROFILE_FILE)
-      for (unsigned k = 0; k < sweep->axis.values_count && !status; ++k)
-        status = resolve(kase, yaml, &sweep->axis.values[k], "sweep[%u].values[%u]", i + 1, k + 1);
-    for (unsigned k = 0; k < sweep->together_count && !status; ++k)
-      if (sweep->together[k].values[PO_KEY_PROFILE_FILE])
-        status = resolve(kase, yaml, &sweep->together[k].values[PO_KEY_PROFILE_FILE],
-                         "sweep[%u].together[%u].profile_file", i + 1, k + 1);
-  }
+  if (axis->key && po_key_of_name(axis->key) == PO_KEY_PROFILE_FILE)
+    for (unsigned k = 0; k < axis->values_count && !status; ++k)
+      status = resolve(kase, yaml, &axis->values[k], "%s.values[%u]", where, k + 1);
   return status;
 }
 
@@ -142,18 +111,12 @@ po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml) {
   po_status status = PO_OK;
   if (file->scene.values[PO_KEY_PROFILE_FILE])
     status = resolve(kase, yaml, &file->scene.values[PO_KEY_PROFILE_FILE], "scene.profile_file");
-  if (!status)
-    status = resolve_sweep(kase, yaml);
-  if (!status)
-    status = resolve_checks(kase, yaml, file->checks, file->checks_count, "checks");
-  if (!status)
-    status = resolve_checks(kase, yaml, file->measure, file->measure_count, "measure");
-  for (unsigned i = 0; i < file->leave_out_count && !status; ++i) {
-    char list[PO_CASE_WHERE_LENGTH];
-    snprintf(list, sizeof list, "leave_out[%u].when", i + 1);
-    status = resolve_axes(kase, yaml, file->leave_out[i].when, file->leave_out[i].when_count, list);
-  }
-  return status;
+  for (unsigned i = 0; i < file->sweep_count; ++i)
+    for (unsigned k = 0; k < file->sweep[i].together_count && !status; ++k)
+      if (file->sweep[i].together[k].values[PO_KEY_PROFILE_FILE])
+        status = resolve(kase, yaml, &file->sweep[i].together[k].values[PO_KEY_PROFILE_FILE],
+                         "sweep[%u].together[%u].profile_file", i + 1, k + 1);
+  return status ? status : po_case_each_axis(kase, yaml, resolve_axis);
 }
 
 /* Keys that set the same. */
@@ -167,8 +130,7 @@ static const struct {
     {PO_KEY_TABOR, PO_KEY_COUPLING, "only one of tabor and coupling"},
 };
 
-po_status po_case_profile_check(po_case *kase, const po_yaml *yaml) {
-  const po_case_file *file = kase->file;
+static po_status check_pairs(const po_case_file *file, const po_yaml *yaml) {
   const char *const *scene = (const char *const *)file->scene.values;
   for (size_t i = 0; i < sizeof PAIRS / sizeof *PAIRS; ++i) {
     const po_key key = PAIRS[i].key, other = PAIRS[i].other;
@@ -209,7 +171,7 @@ static bool is_given_by(const po_scene_words *physical, int key) {
                                                      : is_derived(key);
 }
 
-po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml) {
+static po_status parse_physical(po_case *kase, const po_yaml *yaml) {
   po_scene_words *words = &kase->file->scene;
   if (!words->physical)
     return PO_OK;
@@ -264,8 +226,7 @@ static po_status check_settings(const po_sweep *sweep, unsigned number, const po
   return PO_OK;
 }
 
-po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
-  const po_case_file *file = kase->file;
+static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
   po_request request = po_request_default();
   for (int key = 0; key < PO_KEY_END; ++key)
     if (file->scene.values[key] && !po_key_set(&request, (po_key)key, file->scene.values[key]))
@@ -291,4 +252,11 @@ po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
   for (unsigned i = 0; !status && i < file->sweep_count; ++i)
     status = check_settings(&file->sweep[i], i + 1, yaml);
   return status;
+}
+
+po_status po_case_scene_parse(po_case *kase, const po_yaml *yaml) {
+  po_status status = parse_physical(kase, yaml);
+  if (!status)
+    status = check_pairs(kase->file, yaml);
+  return status ? status : check_keys(kase->file, yaml);
 }
