@@ -2,6 +2,7 @@
 #ifndef PO_CASE_H
 #define PO_CASE_H
 
+#include <signal.h>
 #include <stddef.h>
 
 #include "po_check.h"
@@ -10,6 +11,7 @@
 #include "po_physical.h"
 #include "po_request.h"
 #include "po_status.h"
+#include "po_text.h"
 
 /* The wanted results: PO_WANT_..., and these three, which every traced branch delivers. */
 enum {
@@ -152,14 +154,13 @@ bool po_sweep_names(const po_sweep *sweep, po_key key);
  * printed command can be pasted. */
 const char *po_case_word(const po_case *kase);
 
-/* Returned: the number of combinations in the sweep of a line. */
-size_t po_case_line_rows(const po_case_line *line);
-
-/* Returned: the value of a key of the sweep, as written, in combination number `row`. */
-const char *po_case_line_value(const po_case_line *line, unsigned axis, size_t row);
-
-/* Returned: the input of the form for combination number `row`. */
-po_form_input po_case_line_input(const po_case_file *file, const po_case_line *line, size_t row);
+/* Adds the table of a line, with one row for each combination of its sweep. The columns are the
+ * keys of the sweep, then the values of the form: those along its variable if the sweep contains
+ * the variable, else its fixed values. Values that do not exist are nan. Given: `stop`, which ends
+ * the computation when it becomes nonzero; may be NULL. Status: PO_INTERRUPTED, and those of the
+ * form. */
+po_status po_case_line_table(const po_case_file *file, const po_case_line *line,
+                             const volatile sig_atomic_t *stop, po_text *rows);
 
 /* Given: the path of the table of a profile, as it is in the request of a point. Returned: the name
  * relative to the folder of the case file, a part of `path`; `path` if it is elsewhere. */

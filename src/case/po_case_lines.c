@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "po_case_parts.h"
+#include "po_csv.h"
 #include "po_memory.h"
 #include "po_order.h"
 
@@ -40,7 +41,8 @@ static bool is_general(int key) {
   return owner == PO_OWNER_LAW || owner == PO_OWNER_PROFILE;
 }
 
-size_t po_case_line_rows(const po_case_line *line) {
+/* Returned: the number of combinations in the sweep of a line. */
+static size_t rows_of(const po_case_line *line) {
   size_t count = 1;
   for (unsigned i = 0; i < line->sweep_count && count <= MOST_ROWS; ++i)
     count *= line->sweep[i].values_count;
@@ -55,7 +57,8 @@ static size_t block_of(const po_case_line *line, unsigned axis) {
   return block;
 }
 
-const char *po_case_line_value(const po_case_line *line, unsigned axis, size_t row) {
+/* Returned: the value of a key of the sweep, as written, in combination number `row`. */
+static const char *swept_value(const po_case_line *line, unsigned axis, size_t row) {
   return line->sweep[axis].values[row / block_of(line, axis) % line->sweep[axis].values_count];
 }
 
@@ -67,13 +70,14 @@ static const char *value_of(const po_case_file *file, const po_case_line *line, 
   for (unsigned i = 0; i < line->sweep_count; ++i) {
     const int swept = po_key_of_name(line->sweep[i].key);
     if (swept == key)
-      return po_case_line_value(line, i, row);
+      return swept_value(line, i, row);
     target = target || swept == (int)po_key_target((po_key)key);
   }
   return po_key_is_group(key) && target ? NULL : file->scene.values[key];
 }
 
-po_form_input po_case_line_input(const po_case_file *file, const po_case_line *line, size_t row) {
+/* Returned: the input of the form for combination number `row`. */
+static po_form_input input_of(const po_case_file *file, const po_case_line *line, size_t row) {
   const unsigned takes = po_form_find(line->theory)->takes;
   po_request request = po_request_default();
   po_form_input input = {.alpha = (double)NAN, .at = (double)NAN};
@@ -89,7 +93,7 @@ po_form_input po_case_line_input(const po_case_file *file, const po_case_line *l
   for (unsigned i = 0; i < line->sweep_count; ++i) {
     const int key = po_key_of_name(line->sweep[i].key);
     if (key < 0 || key == PO_KEY_ALPHA)
-      po_number_parse(po_case_line_value(line, i, row), key < 0 ? &input.at : &input.alpha);
+      po_number_parse(swept_value(line, i, row), key < 0 ? &input.at : &input.alpha);
   }
   input.scene = request.scene;
   if (isnan(input.alpha) && po_scene_is_wavy(&input.scene))
@@ -183,7 +187,7 @@ static po_status check_scenes(const po_case_file *file, const po_case_line *line
                               const po_yaml *yaml) {
   for (unsigned i = 0; i < line->sweep_count; ++i)
     for (unsigned k = 0; k < line->sweep[i].values_count; ++k) {
-      const po_form_input input = po_case_line_input(file, line, k * block_of(line, i));
+      const po_form_input input = input_of(file, line, k * block_of(line, i));
       if (input.general && po_scene_check(&input.scene) != PO_OK)
         return refuse_scene(index, line->sweep[i].key, line->sweep[i].values[k], yaml);
     }
@@ -209,14 +213,14 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
       if (strcmp(line->sweep[i].key, line->sweep[k].key) == 0)
         return po_schema_refuse(yaml, "each key swept once", "%s.key", where);
   }
-  if (po_case_line_rows(line) > MOST_ROWS)
+  if (rows_of(line) > MOST_ROWS)
     return po_schema_refuse(yaml, "fewer than 100000 combinations", "lines[%u].sweep", index + 1);
   po_status status = check_parameters(file, line, index, yaml);
   if (!status)
     status = check_scenes(file, line, index, yaml);
   if (status)
     return status;
-  const po_form_input input = po_case_line_input(file, line, 0);
+  const po_form_input input = input_of(file, line, 0);
   const char *missing = missing_input(form, &input);
   return missing ? po_schema_refuse(yaml, missing, "lines[%u].theory", index + 1) : PO_OK;
 }
@@ -238,4 +242,68 @@ po_status po_case_lines_parse(po_case *kase, const po_yaml *yaml) {
   return repeat.found
              ? po_schema_refuse(yaml, "each name once", "lines[%zu].name", repeat.again + 1)
              : status;
+}
+
+/* Reports whether a name is a key of the sweep. A value of the form with this name is the same
+ * number and gets no second column. */
+static bool is_swept(const po_case_line *line, const char *name) {
+  for (unsigned i = 0; i < line->sweep_count; ++i)
+    if (strcmp(line->sweep[i].key, name) == 0)
+      return true;
+  return false;
+}
+
+static void add_names(po_text *rows, const po_case_line *line, const po_form_values *values) {
+  for (unsigned i = 0; i < line->sweep_count; ++i)
+    po_text_add(rows, "%s%s", i ? "," : "", line->sweep[i].key);
+  for (size_t i = 0; i < values->count; ++i)
+    if (!is_swept(line, values->items[i].name))
+      po_text_add(rows, ",%s", values->items[i].name);
+  po_text_add(rows, "\n");
+}
+
+/* The values of the keys of the sweep: numbers, and names as in tables, with semicolons instead of
+ * commas. */
+static void add_swept(po_text *rows, const po_case_line *line, size_t row) {
+  for (unsigned i = 0; i < line->sweep_count; ++i) {
+    const char *value = swept_value(line, i, row);
+    char number[PO_NUMBER_LENGTH];
+    double x;
+    if (po_number_parse(value, &x)) {
+      po_number_print(x, number);
+      value = number;
+    }
+    po_text_add(rows, i ? "," : "");
+    for (; *value; ++value)
+      po_text_add(rows, "%c", *value == ',' ? ';' : *value);
+  }
+}
+
+po_status po_case_line_table(const po_case_file *file, const po_case_line *line,
+                             const volatile sig_atomic_t *stop, po_text *rows) {
+  const po_form *form = po_form_find(line->theory);
+  for (size_t row = 0; row < rows_of(line); ++row) {
+    if (stop && *stop)
+      return PO_INTERRUPTED;
+    double cells[PO_FORM_MOST_VALUES];
+    po_form_values values = {.count = 0};
+    const po_form_input input = input_of(file, line, row);
+    size_t count = 0;
+    if (isnan(input.at))
+      form->fixed(&input, &values);
+    else
+      form->along(&input, &values);
+    if (values.status)
+      return values.status;
+    if (row == 0)
+      add_names(rows, line, &values);
+    for (size_t i = 0; i < values.count; ++i)
+      if (!is_swept(line, values.items[i].name))
+        cells[count++] = values.items[i].value;
+    add_swept(rows, line, row);
+    if (line->sweep_count && count)
+      po_text_add(rows, ",");
+    po_csv_add_row(rows, cells, count);
+  }
+  return PO_OK;
 }

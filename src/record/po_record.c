@@ -1,6 +1,5 @@
 #include "po_record.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,70 +10,6 @@
 #include "po_file.h"
 #include "po_json_digest.h"
 #include "po_record_point.h"
-
-/* Reports whether a name is a key of the sweep. A value of the form with this name is the same
- * number and gets no second column. */
-static bool is_swept(const po_case_line *line, const char *name) {
-  for (unsigned i = 0; i < line->sweep_count; ++i)
-    if (strcmp(line->sweep[i].key, name) == 0)
-      return true;
-  return false;
-}
-
-static void add_names(po_text *rows, const po_case_line *line, const po_form_values *values) {
-  for (unsigned i = 0; i < line->sweep_count; ++i)
-    po_text_add(rows, "%s%s", i ? "," : "", line->sweep[i].key);
-  for (size_t i = 0; i < values->count; ++i)
-    if (!is_swept(line, values->items[i].name))
-      po_text_add(rows, ",%s", values->items[i].name);
-  po_text_add(rows, "\n");
-}
-
-/* The values of the keys of the sweep: numbers, and names as in tables, with semicolons instead of
- * commas. */
-static void add_swept(po_text *rows, const po_case_line *line, size_t row) {
-  for (unsigned i = 0; i < line->sweep_count; ++i) {
-    const char *value = po_case_line_value(line, i, row);
-    char number[PO_NUMBER_LENGTH];
-    double x;
-    if (po_number_parse(value, &x)) {
-      po_number_print(x, number);
-      value = number;
-    }
-    po_text_add(rows, i ? "," : "");
-    for (; *value; ++value)
-      po_text_add(rows, "%c", *value == ',' ? ';' : *value);
-  }
-}
-
-static po_status add_rows(po_text *rows, const po_case_file *file, const po_case_line *line,
-                          const volatile sig_atomic_t *stop) {
-  const po_form *form = po_form_find(line->theory);
-  for (size_t row = 0; row < po_case_line_rows(line); ++row) {
-    if (stop && *stop)
-      return PO_INTERRUPTED;
-    double cells[PO_FORM_MOST_VALUES];
-    po_form_values values = {.count = 0};
-    const po_form_input input = po_case_line_input(file, line, row);
-    size_t count = 0;
-    if (isnan(input.at))
-      form->fixed(&input, &values);
-    else
-      form->along(&input, &values);
-    if (values.status)
-      return values.status;
-    if (row == 0)
-      add_names(rows, line, &values);
-    for (size_t i = 0; i < values.count; ++i)
-      if (!is_swept(line, values.items[i].name))
-        cells[count++] = values.items[i].value;
-    add_swept(rows, line, row);
-    if (line->sweep_count && count)
-      po_text_add(rows, ",");
-    po_csv_add_row(rows, cells, count);
-  }
-  return PO_OK;
-}
 
 static po_status write_line(const po_case *kase, const po_case_line *line, const char *folder,
                             const volatile sig_atomic_t *stop, json_t **entry) {
@@ -88,7 +23,7 @@ static po_status write_line(const po_case *kase, const po_case_line *line, const
               "and traction in w/epsilon\n"
               "# command: pulloff run %s\n",
               line->theory, po_case_word(kase));
-  po_status status = add_rows(&rows, kase->file, line, stop);
+  po_status status = po_case_line_table(kase->file, line, stop, &rows);
   po_csv_seal(&header, &rows, &text, digest);
   char *path = po_path_join(folder, po_text_string(&name));
   if (!status && (text.failed || name.failed || !path))
@@ -105,10 +40,8 @@ static po_status write_line(const po_case *kase, const po_case_line *line, const
   return status;
 }
 
-/* Writes a table line-NAME.csv for each line, with one row for each combination of its sweep. The
- * columns are the keys of the sweep, then the values of the form: those along its variable if the
- * sweep contains the variable, else its fixed values. Values that do not exist are nan.
- * Given: `stop`, which ends the computation when it becomes nonzero; may be NULL.
+/* Writes the table line-NAME.csv of each line.
+ * Given: `stop`, as for po_record_write.
  * Returned: in *lines, [{name, theory, table, table_sha256}].
  * Status: PO_NO_MEMORY, PO_CANNOT_WRITE, PO_INTERRUPTED (the table of the interrupted line is not
  * written). */
@@ -342,4 +275,96 @@ po_status po_record_write(po_case_run *run, const char *folder, int jobs,
   free(path);
   free(part);
   return status;
+}
+
+/* A damaged record counts as absent. Without memory it is not known whether it is damaged. */
+static po_status found_or_not(po_status status) {
+  return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
+}
+
+/* Whether the tables of the closed forms have the checksums of the record. */
+static po_status check_lines(const json_t *lines, const char *folder) {
+  po_status status = PO_OK;
+  for (size_t i = 0; !status && i < json_array_size(lines); ++i) {
+    const json_t *line = json_array_get(lines, i);
+    char *path = po_path_join(folder, po_record_text(line, "table"));
+    po_csv csv = {0};
+    status = path ? po_csv_read(path, path, &csv) : PO_NO_MEMORY;
+    if (!status && strcmp(csv.digest, po_record_text(line, "table_sha256")) != 0)
+      status = PO_NOT_FOUND;
+    po_csv_clear(&csv);
+    free(path);
+  }
+  return found_or_not(status);
+}
+
+/* Reads the points that are requested and not known. A record without its checksum was altered:
+ * the points that have theirs are used, and the record is written again. */
+static po_status read_record(po_case_run *run, const json_t *record, bool intact,
+                             const char *folder) {
+  const json_t *points = json_object_get(record, "points");
+  if (strcmp(po_record_text(record, "solve_key"), run->plan->solve_key) != 0 &&
+      (intact || !json_object_get(record, "checksum")))
+    return PO_NOT_FOUND; /* of other scenes or of another program */
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    if (run->asked[i] && !run->done[i] &&
+        po_record_read_point(run, i, json_array_get(points, i), folder, intact) == PO_NO_MEMORY)
+      return PO_NO_MEMORY;
+  if (!po_case_run_is_done(run))
+    return PO_NOT_FOUND;
+  const po_status lines = check_lines(json_object_get(record, "lines"), folder);
+  if (lines == PO_NO_MEMORY)
+    return lines;
+  run->damaged = !intact || lines;
+  snprintf(run->old_key, sizeof run->old_key, "%s",
+           run->damaged ? "" : po_record_text(record, "key"));
+  run->elapsed = json_number_value(json_object_get(record, "seconds"));
+  run->kept = run->finished = true;
+  run->pending = 0;
+  return PO_OK;
+}
+
+/* Reads the record in the folder of a case. Returned: *intact, whether it has its checksum;
+ * *exists, whether there is a file, which may be no JSON. */
+static po_status load(const char *folder, json_t **record, bool *intact, bool *exists) {
+  char *path = po_path_join(folder, "record.json");
+  char *bytes = NULL;
+  size_t size = 0;
+  po_status status = path ? po_file_read(path, &bytes, &size) : PO_NO_MEMORY;
+  *exists = status == PO_OK;
+  if (!status)
+    status = po_json_parse_checked(bytes, size, record, intact);
+  free(bytes);
+  free(path);
+  return found_or_not(status);
+}
+
+po_status po_record_read(po_case_run *run, const char *folder) {
+  json_t *record = NULL;
+  bool intact = false, exists = false;
+  po_status status = load(folder, &record, &intact, &exists);
+  if (status == PO_NOT_FOUND && exists)
+    run->altered += run->asked_count;
+  if (!status)
+    status = read_record(run, record, intact, folder);
+  json_decref(record);
+  return found_or_not(status);
+}
+
+po_status po_record_check_owner(const po_case_run *run) {
+  const po_case *kase = run->plan->kase;
+  json_t *record = NULL;
+  bool intact, exists;
+  if (!kase->is_own)
+    return PO_OK;
+  po_status status = load(run->folder, &record, &intact, &exists);
+  const char *owner = po_record_text(record, "file");
+  if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
+    status = po_fail(
+        PO_BAD_INPUT,
+        "%s: name is %s: expected another name or another folder for the records, as %s contains "
+        "the record of %s",
+        kase->shown, kase->file->name, run->folder, owner);
+  json_decref(record);
+  return status == PO_NOT_FOUND ? PO_OK : status;
 }
