@@ -1,8 +1,8 @@
 #include <string.h>
 
 #include "po_file.h"
-#include "po_merge.h"
 #include "po_session.h"
+#include "po_shard.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -23,19 +23,14 @@ static const char HELP[] =
 static const po_option OPTIONS[] = {PO_SESSION_SOLVER_OPTIONS, {0}};
 
 static po_status put_together(po_session *session, const po_merge *merge) {
-  char **names = NULL;
-  size_t count = 0;
-  session->time_limit = po_merge_time_limit(merge);
-  po_status status = po_merge_cases(merge, &names, &count);
-  if (!status)
-    status = po_session_open(session, names, count);
+  session->time_limit = merge->time_limit;
+  po_status status = po_session_open(session, merge->cases, merge->case_count);
   if (!status)
     status = po_merge_fill(merge, session->runs, session->catalog.count);
   if (!status)
     status = po_session_solve(session); /* nothing is left to solve */
   if (status == PO_INTERRUPTED)
     po_fail(status, "interrupted; the shards are unchanged: run pulloff merge again");
-  po_names_free(names, count);
   return status;
 }
 

@@ -8,7 +8,7 @@
 #include "fuzz.h"
 #include "po_environment.h"
 #include "po_file.h"
-#include "po_merge.h"
+#include "po_shard.h"
 
 enum { MOST_SHARDS = 4, CASES = 2 };
 
@@ -76,16 +76,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   po_status status = po_merge_open(&folder, 1, &merge);
   fuzz_require_message(status);
   if (!status) {
-    char **names = NULL;
-    size_t named = 0;
     require_complete(&merge);
-    fuzz_require(!(po_merge_time_limit(&merge) <= 0), "a time limit of %g is accepted",
-                 po_merge_time_limit(&merge));
-    status = po_merge_cases(&merge, &names, &named);
-    fuzz_require_message(status);
-    if (!status)
-      fill(&merge, names, named);
-    po_names_free(names, named);
+    fuzz_require(!(merge.time_limit <= 0), "a time limit of %g is accepted", merge.time_limit);
+    fill(&merge, merge.cases, merge.case_count);
   }
   po_merge_close(&merge);
   free(parts[0].bytes);

@@ -1,15 +1,105 @@
-#include "po_merge.h"
+#include "po_shard.h"
 
+#include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_environment.h"
 #include "po_file.h"
 #include "po_journal.h"
 #include "po_json_digest.h"
 #include "po_memory.h"
 #include "po_order.h"
+#include "po_random.h"
 #include "po_record.h"
 #include "po_record_point.h"
+
+static const char SCHEMA[] = "pulloff-shard/1";
+
+/* A group of points that belong to the same shard. */
+typedef struct {
+  uint64_t place; /* in the order in which the groups are assigned */
+  size_t run, first, length;
+} group;
+
+static size_t group_length(const po_case *kase) {
+  return kase->repeats > 1 ? kase->point_count : kase->series_length;
+}
+
+static int by_place(const void *a, const void *b) {
+  const uint64_t x = ((const group *)a)->place, y = ((const group *)b)->place;
+  return (x > y) - (x < y);
+}
+
+po_status po_shard_deal(po_case_run *runs, size_t count, po_shard shard) {
+  size_t total = 0, filled = 0;
+  for (size_t r = 0; r < count; ++r)
+    total += runs[r].plan->kase->point_count / group_length(runs[r].plan->kase);
+  group *groups = po_allocate(total, sizeof *groups);
+  if (!groups)
+    return PO_NO_MEMORY;
+  for (size_t r = 0; r < count; ++r) {
+    const po_case *kase = runs[r].plan->kase;
+    const size_t length = group_length(kase);
+    for (size_t i = 0; i < kase->point_count; runs[r].asked[i++] = false)
+      if (i % length == 0) {
+        groups[filled] = (group){po_random_mix(filled), r, i, length};
+        ++filled;
+      }
+    runs[r].asked_count = 0;
+  }
+  qsort(groups, total, sizeof *groups, by_place);
+  for (size_t p = shard.number - 1; p < total; p += shard.count) {
+    po_case_run *run = &runs[groups[p].run];
+    for (size_t i = groups[p].first; i < groups[p].first + groups[p].length; ++i)
+      run->asked[i] = true;
+    run->asked_count += groups[p].length;
+  }
+  free(groups);
+  return PO_OK;
+}
+
+static const char *case_argument(const po_case *kase) {
+  return kase->is_own ? kase->shown : kase->file->name;
+}
+
+static json_t *cases_json(const po_case_run *runs, size_t count) {
+  json_t *cases = po_json_empty_array();
+  for (size_t r = 0; r < count; ++r) {
+    const po_plan *plan = runs[r].plan;
+    po_json_append(&cases, PO_JSON_OBJECT({"case", po_json_text(plan->kase->file->name)},
+                                          {"argument", po_json_text(case_argument(plan->kase))},
+                                          {"solve_key", po_json_text(plan->solve_key)},
+                                          {"points", po_json_count(plan->kase->point_count)},
+                                          {"asked", po_json_count(runs[r].asked_count)}));
+  }
+  return cases;
+}
+
+po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, double time_limit,
+                         int jobs, const char *output) {
+  char name[64];
+  po_text text = {0};
+  snprintf(name, sizeof name, "shard-%zu-of-%zu.json", shard.number, shard.count);
+  json_t *document = PO_JSON_OBJECT(
+      {"schema", po_json_text(SCHEMA)}, {"shard", po_json_count(shard.number)},
+      {"of", po_json_count(shard.count)}, {"program", po_json_text(runs[0].plan->program)},
+      {"time_limit", po_json_number(time_limit)}, {"environment", po_environment_describe(jobs)},
+      {"cases", cases_json(runs, count)});
+  char *path = po_path_join(output, name);
+  po_status status = path ? po_folder_make(output) : PO_NO_MEMORY;
+  if (!status)
+    status = po_json_print_checked(document, &text);
+  if (!status)
+    status = po_file_write(path, text.data, text.length);
+  free(path);
+  json_decref(document);
+  po_text_clear(&text);
+  return status;
+}
+
+/* The merge. */
 
 static const json_t *cases_of(const po_merge_part *part) {
   return json_object_get(part->root, "cases");
@@ -37,8 +127,8 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
     return status;
   const json_int_t number = json_integer_value(json_object_get(part->root, "shard"));
   const json_int_t of = json_integer_value(json_object_get(part->root, "of"));
-  if (strcmp(po_record_text(part->root, "schema"), PO_SHARD_SCHEMA) != 0 || number < 1 ||
-      number > of || json_array_size(cases_of(part)) == 0)
+  if (strcmp(po_record_text(part->root, "schema"), SCHEMA) != 0 || number < 1 || number > of ||
+      json_array_size(cases_of(part)) == 0)
     return po_fail(PO_CANNOT_READ, "%s is damaged: expected the description of a shard", path);
   if (!intact)
     return po_fail(PO_CANNOT_READ, "%s was altered: it does not have its checksum", path);
@@ -152,6 +242,17 @@ static po_status check_complete(const po_merge *merge) {
   return merge->count < merge->parts[0].shard.count ? refuse_missing(merge) : PO_OK;
 }
 
+/* Reads what the cases and their time limit were, which all shards have in common. */
+static po_status take_request(po_merge *merge) {
+  const json_t *cases = cases_of(&merge->parts[0]);
+  merge->time_limit = po_json_read_number(merge->parts[0].root, "time_limit");
+  merge->case_count = json_array_size(cases);
+  merge->cases = po_allocate(merge->case_count, sizeof *merge->cases);
+  for (size_t i = 0; merge->cases && i < merge->case_count; ++i)
+    merge->cases[i] = (char *)po_record_text(json_array_get(cases, i), "argument");
+  return merge->cases ? PO_OK : PO_NO_MEMORY;
+}
+
 po_status po_merge_open(char *const *folders, size_t count, po_merge *merge) {
   *merge = (po_merge){0};
   po_status status = PO_OK;
@@ -159,7 +260,9 @@ po_status po_merge_open(char *const *folders, size_t count, po_merge *merge) {
     status = read_folder(merge, folders[i]);
   for (size_t i = 1; !status && i < merge->count; ++i)
     status = check_part(&merge->parts[0], &merge->parts[i]);
-  return status ? status : check_complete(merge);
+  if (!status)
+    status = check_complete(merge);
+  return status ? status : take_request(merge);
 }
 
 void po_merge_close(po_merge *merge) {
@@ -169,26 +272,8 @@ void po_merge_close(po_merge *merge) {
     json_decref(merge->parts[i].root);
   }
   free(merge->parts);
+  free(merge->cases);
   *merge = (po_merge){0};
-}
-
-po_status po_merge_cases(const po_merge *merge, char ***names, size_t *count) {
-  const json_t *cases = cases_of(&merge->parts[0]);
-  *count = 0;
-  *names = po_allocate(json_array_size(cases), sizeof **names);
-  if (!*names)
-    return PO_NO_MEMORY;
-  for (size_t i = 0; i < json_array_size(cases); ++i) {
-    (*names)[i] = po_copy_text(po_record_text(json_array_get(cases, i), "argument"));
-    if (!(*names)[i])
-      return PO_NO_MEMORY;
-    *count += 1;
-  }
-  return PO_OK;
-}
-
-double po_merge_time_limit(const po_merge *merge) {
-  return po_json_read_number(merge->parts[0].root, "time_limit");
 }
 
 /* Checks that the shards were computed by this program, for the scenes of these cases. */
