@@ -237,6 +237,46 @@ static po_status pins_points(const po_reference *pins, po_quantity quantity,
   return PO_OK;
 }
 
+static po_status read_kind(const po_csv *table, size_t row, po_special_kind *kind) {
+  const int column = po_csv_find_column(table, "kind");
+  if (column < 0)
+    return po_fail(PO_CANNOT_READ, "%s:%zu: the column kind is missing", table->path,
+                   table->column_line);
+  const char *text = po_csv_cell(table, row, (size_t)column);
+  for (int k = PO_JUMP_IN; k <= PO_MAXIMUM; ++k)
+    if (strcmp(text, po_special_kind_name((po_special_kind)k)) == 0) {
+      *kind = (po_special_kind)k;
+      return PO_OK;
+    }
+  return po_fail(PO_CANNOT_READ,
+                 "%s:%zu: kind is %s: expected jump_in, jump_out, minimum or maximum", table->path,
+                 table->lines[row], text);
+}
+
+static bool kind_fits(po_quantity quantity, po_special_kind kind) {
+  const bool is_fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
+  return quantity == PO_FOLDS ? is_fold : !is_fold;
+}
+
+/* Reads a row as a point of the curve or as a special point. Returned: in *fits, whether the point
+ * belongs to `quantity`; a table of special points may hold both folds and extrema. Status:
+ * PO_CANNOT_READ (a column is missing or does not hold a number). */
+static po_status row_point(const po_reference *reference, size_t row, po_quantity quantity,
+                           po_reference_point *point, bool *fits) {
+  po_reference_number approach, load;
+  po_status status = po_reference_cell(reference, row, "approach", &approach);
+  if (!status)
+    status = po_reference_cell(reference, row, "load", &load);
+  if (status)
+    return status;
+  *point = (po_reference_point){approach.value, load.value, approach.uncertainty, load.uncertainty,
+                                PO_JUMP_IN};
+  if (quantity != PO_CURVE)
+    status = read_kind(&reference->table, row, &point->kind);
+  *fits = !status && (quantity == PO_CURVE || kind_fits(quantity, point->kind));
+  return status;
+}
+
 po_status po_reference_points(const po_reference *reference, po_quantity quantity,
                               const po_request *request, const po_result *result,
                               po_reference_point **points, size_t *count) {
@@ -252,7 +292,7 @@ po_status po_reference_points(const po_reference *reference, po_quantity quantit
   for (size_t row = 0; !status && po_reference_next_row(reference, request, &row); ++row) {
     bool fits = false;
     rows += 1;
-    status = po_reference_row_point(reference, row, quantity, &list[kept], &fits);
+    status = row_point(reference, row, quantity, &list[kept], &fits);
     kept += fits;
   }
   if (!status && rows == 0)

@@ -73,11 +73,4 @@ bool po_reference_nearest(const po_reference *reference, const po_request *reque
 po_status po_reference_cell(const po_reference *reference, size_t row, const char *name,
                             po_reference_number *number);
 
-/* Reads a row as a point of the curve or as a special point.
- * Returned: in *fits, whether the point belongs to `quantity`; a table of special points may hold
- * both folds and extrema.
- * Status: as above. */
-po_status po_reference_row_point(const po_reference *reference, size_t row, po_quantity quantity,
-                                 po_reference_point *point, bool *fits);
-
 #endif
