@@ -15,13 +15,6 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
                      const po_reference *reference, const po_result *result,
                      po_check_results *check_results);
 
-/* Compares the share of solved points with 1, and adds one result for the case. The share refers to
- * the requested points (one flag a point) to which the check applies. If a failure has no reason,
- * the verdict is outside, whatever the share. Status: PO_NO_MEMORY. */
-po_status po_compare_share(const po_case *kase, const bool *asked, const po_check *check,
-                           const po_reference *reference, const po_result *results,
-                           po_check_results *check_results);
-
 /* Refuses a tolerance that is smaller than the uncertainty of the reference: an error of the
  * reference could make such a check fail or pass. Status: PO_BAD_INPUT with the line of the
  * tolerance. */

@@ -142,7 +142,7 @@ static void add_check(const po_case_run *run, const po_check *check, const char 
   if (check)
     add_result(run, item, text);
   else
-    po_text_add(text, "failed: %s", run->results[worst.point].reason);
+    po_text_add(text, "failed: %s", run->points[worst.point].result.reason);
   if (count > 1)
     po_text_add(text,
                 check ? "; %zu results of this check do not pass, this is the worst"
@@ -159,15 +159,15 @@ static void add_check(const po_case_run *run, const po_check *check, const char 
 static void add_excluded(const po_case_run *run, po_text *text) {
   const po_case *kase = run->plan->kase;
   size_t count = 0, first = 0;
-  for (size_t i = kase->point_count; run->beyond && i-- > 0;)
-    if (run->asked[i] && run->beyond[i]) {
+  for (size_t i = kase->point_count; i-- > 0;)
+    if (run->points[i].asked && run->points[i].beyond) {
       count += 1;
       first = i;
     }
   if (count)
     po_text_add(text, "%s: the manifest excludes %zu of %zu points; the first, %s, is %s\n",
                 po_plan_name(run->plan), count, run->asked_count, kase->points[first].label,
-                run->results[first].reason);
+                run->points[first].result.reason);
 }
 
 /* Adds the overview of finished runs: a line a case, what does not pass with the command that

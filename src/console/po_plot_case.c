@@ -95,10 +95,11 @@ static bool fill(const po_case_run *run, const po_case *kase, const po_key keys[
   for (size_t i = 0; i < kase->point_count; ++i) {
     const po_request *request = &kase->points[i].request;
     const double x = po_key_number(request, keys[0]), y = po_key_number(request, keys[1]);
-    if (!run->results[i].has_pull_off || !isfinite(x) || !isfinite(y))
+    if (!run->points[i].result.has_pull_off || !isfinite(x) || !isfinite(y))
       continue;
     const size_t row = index_of(map->y, map->rows, y);
-    force[row * map->columns + index_of(map->x, map->columns, x)] = run->results[i].pull_off.force;
+    force[row * map->columns + index_of(map->x, map->columns, x)] =
+        run->points[i].result.pull_off.force;
     any = true;
   }
   return any;
@@ -202,7 +203,7 @@ static int by_curve(const void *a, const void *b) {
 static size_t collect(const po_case_run *run, const po_case *kase, po_key key, run_point *points) {
   size_t count = 0;
   for (size_t i = 0; i < kase->point_count; ++i) {
-    const po_result *o = &run->results[i];
+    const po_result *o = &run->points[i].result;
     const double x = po_key_number(&kase->points[i].request, key);
     if (!o->has_pull_off || !isfinite(x))
       continue;

@@ -68,7 +68,7 @@ static po_status add_work(pin_list *list, size_t point, const po_result *result)
 
 static po_status add_check(const po_case_run *run, const po_check *check, size_t point,
                            pin_list *list) {
-  const po_result *result = &run->results[point];
+  const po_result *result = &run->points[point].result;
   if (check->type != PO_REFERENCE_PINS ||
       !po_check_concerns(check, &run->plan->kase->points[point].request))
     return PO_OK;
@@ -175,7 +175,7 @@ static po_status check_results(const po_case_run *run) {
   for (size_t i = 0; i < kase->point_count; ++i)
     if (po_case_run_failed(run, i))
       return po_fail(PO_NOT_CONVERGED, "%s is not blessed: the solve of %s failed: %s", name,
-                     kase->points[i].label, run->results[i].reason);
+                     kase->points[i].label, run->points[i].result.reason);
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];
     const bool bad_oracle = item->ledger == PO_LEDGER_ORACLE && !po_verdict_passes(item->verdict);
@@ -352,7 +352,7 @@ static po_status bless_pins(const po_case_run *run, const char *who, const char 
 /* Adds the row of a point to a table of digests. Returned: whether it is not in the old table. */
 static po_status add_digest(const po_case_run *run, size_t i, const po_reference *old,
                             po_text *rows, bool *is_new) {
-  const po_result *result = &run->results[i];
+  const po_result *result = &run->points[i].result;
   const char *id = run->plan->kase->points[i].id, *before = "";
   char digest[PO_RESULT_DIGEST_LENGTH], force[PO_NUMBER_LENGTH] = "-";
   double unused;

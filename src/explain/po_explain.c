@@ -152,7 +152,7 @@ static commands commands_of(const po_case_run *run, size_t point, bool curve, co
  * failed. */
 static commands commands_of_item(const po_case_run *run, const po_check_result *item,
                                  const char *output) {
-  if (!item->whole || run->results[item->point].status != PO_OK)
+  if (!item->whole || run->points[item->point].result.status != PO_OK)
     return commands_of(run, item->point, item->check->quantity == PO_CURVE, output);
   po_text text = {0};
   po_text_add(&text, "pulloff verify %s", po_case_word(run->plan->kase));
@@ -203,7 +203,7 @@ static void explain_item(const po_case_run *run, const po_check_result *item, co
               item->whole ? "-" : kase->points[item->point].label, po_verdict_name(item->verdict));
   explain_numbers(run, item, text);
   if (isfinite(item->approach)) {
-    po_place_describe(&run->results[item->point], item->approach, item->load, place);
+    po_place_describe(&run->points[item->point].result, item->approach, item->load, place);
     po_text_add(text, "  where      approach %.6g, load %.6g%s%s\n", item->approach, item->load,
                 *place ? ", " : "", place);
   }
@@ -226,7 +226,7 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
       explain_item(run, f.item, choice->output, text);
     else {
       po_text_add(text, "%s solve %s: failed\n  reason     %s\n", po_plan_name(run->plan), f.label,
-                  run->results[f.point].reason);
+                  run->points[f.point].result.reason);
       add_commands(commands_of(run, f.point, false, choice->output), text);
     }
   }
@@ -243,7 +243,7 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item, co
   po_blame_find(run, item, &blame);
   json_t *where = json_null();
   if (isfinite(item->approach)) {
-    po_place_describe(&run->results[item->point], item->approach, item->load, place);
+    po_place_describe(&run->points[item->point].result, item->approach, item->load, place);
     where = PO_JSON_OBJECT({"approach", po_json_number(item->approach)},
                            {"load", po_json_number(item->load)},
                            {"special_points", po_json_text(place)});
@@ -269,7 +269,7 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item, co
 static json_t *failure_json(const po_case_run *run, size_t point, const char *output) {
   json_t *object = PO_JSON_OBJECT({"point", po_json_text(run->plan->kase->points[point].id)},
                                   {"label", po_json_text(run->plan->kase->points[point].label)},
-                                  {"reason", po_json_text(run->results[point].reason)});
+                                  {"reason", po_json_text(run->points[point].result.reason)});
   set_commands(commands_of(run, point, false, output), &object);
   return object;
 }

@@ -26,7 +26,7 @@ static double relative_difference(double force, double stored) {
 
 static po_status compare_point(const po_case_run *run, const po_reference *digests, size_t i,
                                po_identity *identity, difference *found) {
-  const po_result *result = &run->results[i];
+  const po_result *result = &run->points[i].result;
   const char *stored = NULL;
   char digest[PO_RESULT_DIGEST_LENGTH];
   double force = 0;
@@ -94,7 +94,7 @@ static po_status compare_case(const po_case_run *run, po_identity *identity, po_
   difference found = {0};
   po_status status = po_digests_open(kase, &digests);
   for (size_t i = 0; !status && i < kase->point_count; ++i)
-    if (run->asked[i])
+    if (run->points[i].asked)
       status = compare_point(run, &digests, i, identity, &found);
   po_reference_close(&digests);
   for (size_t i = 0; i < run->check_results.count; ++i)

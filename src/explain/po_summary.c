@@ -17,7 +17,7 @@ static void add_statuses(const po_case_run *run, po_text *text) {
   for (size_t s = 0; s < sizeof STATUSES / sizeof *STATUSES; ++s) {
     size_t count = 0;
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      count += run->asked[i] && run->results[i].status == STATUSES[s];
+      count += run->points[i].asked && run->points[i].result.status == STATUSES[s];
     if (count)
       po_text_add(text, "%-20s %9zu\n", po_status_name(STATUSES[s]), count);
   }
@@ -45,8 +45,8 @@ static void add_costs(const po_case_run *run, double *space, po_text *text) {
   for (int what = 0; what < 3; ++what) {
     size_t count = 0;
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      if (run->asked[i])
-        space[count++] = cost(&run->results[i].work, what);
+      if (run->points[i].asked)
+        space[count++] = cost(&run->points[i].result.work, what);
     qsort(space, count, sizeof *space, ascending);
     po_text_add(text, "%-20s %9.4g %9.4g %9.4g\n", NAMES[what], quantile(space, count, 0.5),
                 quantile(space, count, 0.95), space[count - 1]);
@@ -68,17 +68,17 @@ static void add_slowest(const po_case_run *run, po_text *text) {
   for (int found = 0; found < SLOWEST;) {
     double greatest = -1;
     for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
-      const double seconds = run->results[i].work.seconds;
-      if (run->asked[i] && seconds < below && seconds > greatest)
+      const double seconds = run->points[i].result.work.seconds;
+      if (run->points[i].asked && seconds < below && seconds > greatest)
         greatest = seconds;
     }
     if (greatest < 0)
       return;
     for (size_t i = 0; i < run->plan->kase->point_count && found < SLOWEST; ++i)
-      if (run->asked[i] && run->results[i].work.seconds >= greatest &&
-          run->results[i].work.seconds < below) {
+      if (run->points[i].asked && run->points[i].result.work.seconds >= greatest &&
+          run->points[i].result.work.seconds < below) {
         po_text_add(text, "point %s, %s, %.3g s\n", run->plan->kase->points[i].id,
-                    po_status_name(run->results[i].status), greatest);
+                    po_status_name(run->points[i].result.status), greatest);
         add_command(run, i, text);
         ++found;
       }
@@ -89,8 +89,8 @@ static void add_slowest(const po_case_run *run, po_text *text) {
 static void add_failures(const po_case_run *run, po_text *text) {
   size_t count = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
-    const po_result *result = &run->results[i];
-    if (!run->asked[i] || result->status == PO_OK)
+    const po_result *result = &run->points[i].result;
+    if (!run->points[i].asked || result->status == PO_OK)
       continue;
     if (count++ == 0)
       po_text_add(text, "failed\n");

@@ -41,11 +41,11 @@ static void table_line(const po_case_run *run, const po_finding *finding, po_tex
 static void physical_lines(const po_case_run *run, po_text *text) {
   const po_case *kase = run->plan->kase;
   for (size_t i = 0; kase->is_physical && i < kase->point_count; ++i)
-    if (run->results[i].has_pull_off)
+    if (run->points[i].result.has_pull_off)
       po_text_add(text, "%-12s %-23s %-24s %.10g N at approach %.10g m\n", po_plan_name(run->plan),
                   "pull_off", kase->points[i].label,
-                  run->results[i].pull_off.force * kase->units.force,
-                  run->results[i].pull_off.approach * kase->units.length);
+                  run->points[i].result.pull_off.force * kase->units.force,
+                  run->points[i].result.pull_off.approach * kase->units.length);
 }
 
 void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
@@ -85,7 +85,7 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
     for (po_finding f = {0}; po_finding_next(run, &f);)
       if (!f.item)
         po_text_add(text, "%-12s %-23s %-24s failed: %s\n", po_plan_name(run->plan), "solve",
-                    f.label, run->results[f.point].reason);
+                    f.label, run->points[f.point].result.reason);
   }
   po_verdicts_totals(runs, count, text);
 }
@@ -102,7 +102,7 @@ static void name_finding(const po_case_run *run, const po_finding *finding, name
   test->what = item ? "" : "solve/";
   test->id = item ? item->id : finding->label;
   if (!item) {
-    snprintf(test->words, sizeof test->words, "%s", run->results[finding->point].reason);
+    snprintf(test->words, sizeof test->words, "%s", run->points[finding->point].result.reason);
     return;
   }
   number_or_dash(item->obtained, 17, obtained);
@@ -154,7 +154,7 @@ static void junit_test(const po_case_run *run, const po_finding *finding, po_tex
   name_finding(run, finding, &test);
   po_text_add(text, "    <testcase classname=\"%s\" name=\"%s", po_plan_name(run->plan), test.what);
   add_escaped(text, test.id);
-  po_text_add(text, "\" time=\"%.3f\"", run->results[finding->point].work.seconds);
+  po_text_add(text, "\" time=\"%.3f\"", run->points[finding->point].result.work.seconds);
   if (finding->plain) {
     po_text_add(text, "/>\n");
     return;

@@ -8,86 +8,66 @@
 #include "po_memory.h"
 
 void po_case_run_exclude(po_case_run *run, size_t point, const char *why) {
-  po_result *result = &run->results[point];
+  po_result *result = &run->points[point].result;
   po_result_clear(result);
   *result = po_result_none();
   result->status = PO_UNSUPPORTED;
   result->work.seconds = (double)NAN;
   snprintf(result->reason, sizeof result->reason, "not asked: %s", why);
-  run->beyond[point] = true;
+  run->points[point].beyond = true;
 }
 
 /* Marks the points that the manifest of an external solver excludes. */
-static po_status exclude(po_case_run *run) {
+static void exclude(po_case_run *run) {
   const po_plan *plan = run->plan;
   const bool nothing = po_plan_asked(plan) == 0;
   run->chunks = 1;
-  run->beyond = po_allocate(plan->kase->point_count, sizeof *run->beyond);
-  if (!run->beyond)
-    return PO_NO_MEMORY;
   for (size_t i = 0; i < plan->kase->point_count; ++i) {
     char why[PO_SOLVER_WHY] = "the case wants no quantity that the solver computes";
-    run->results[i] = po_result_none();
+    run->points[i].result = po_result_none();
     if (!nothing && po_solver_accepts(plan->solver, &plan->kase->points[i].request, why))
       continue;
     po_case_run_exclude(run, i, why);
-    run->done[i] = true;
+    run->points[i].done = true;
   }
-  return PO_OK;
 }
 
-static po_status create_rounds(po_case_run *run) {
-  const unsigned repeats = run->plan->kase->repeats;
-  const size_t points = run->plan->kase->point_count;
-  static const po_round UNKNOWN = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-  run->rounds = po_allocate(points * repeats, sizeof *run->rounds);
-  run->starts = po_allocate(repeats, sizeof *run->starts);
-  run->interleaved = po_allocate(points, sizeof *run->interleaved);
-  if (!run->rounds || !run->starts || !run->interleaved)
-    return PO_NO_MEMORY;
-  for (size_t i = 0; i < points * repeats; ++i)
-    run->rounds[i] = UNKNOWN;
-  for (unsigned r = 0; r < repeats; ++r)
-    run->starts[r] = UNKNOWN;
-  return PO_OK;
+/* Returned: the times of rounds that were not made; NULL without memory. */
+static po_round *create_rounds(size_t count) {
+  po_round *rounds = po_allocate(count, sizeof *rounds);
+  for (size_t i = 0; rounds && i < count; ++i)
+    rounds[i] = (po_round){0, 0, NAN, NAN, NAN, NAN, NAN, NAN};
+  return rounds;
 }
 
 po_status po_case_run_create(po_plan *plan, po_case_run *run) {
-  const size_t points = plan->kase->point_count;
+  const size_t points = plan->kase->point_count, repeats = plan->kase->repeats;
   *run = (po_case_run){.plan = plan, .pending = points};
-  run->results = po_allocate(points, sizeof *run->results);
-  run->traces = po_allocate(points, sizeof *run->traces);
-  run->seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
-  run->processor_seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
-  run->done = po_allocate(points, sizeof *run->done);
-  run->asked = po_allocate(points, sizeof *run->asked);
-  if (!run->results || !run->traces || !run->seconds || !run->processor_seconds || !run->done ||
-      !run->asked)
+  run->points = po_allocate(points, sizeof *run->points);
+  run->rounds = create_rounds(points * repeats);
+  if (!run->points || !run->rounds)
     return PO_NO_MEMORY;
+  for (size_t i = 0; i < points; ++i)
+    run->points[i].rounds = run->rounds + i * repeats;
   po_case_run_ask(run, &(po_point_range){0, points}, 1);
   if (!plan->solver)
     return PO_OK;
-  const po_status status = exclude(run);
-  return !status && plan->kase->repeats > 1 ? create_rounds(run) : status;
+  exclude(run);
+  if (repeats > 1 && !(run->starts = create_rounds(repeats)))
+    return PO_NO_MEMORY;
+  return PO_OK;
 }
 
 void po_case_run_clear(po_case_run *run) {
-  for (size_t i = 0; run->results && i < run->plan->kase->point_count; ++i)
-    po_result_clear(&run->results[i]);
-  for (size_t i = 0; run->traces && i < run->plan->kase->point_count; ++i)
-    po_result_clear(&run->traces[i]);
+  for (size_t i = 0; run->points && i < run->plan->kase->point_count; ++i) {
+    po_result_clear(&run->points[i].result);
+    po_result_clear(&run->points[i].trace);
+  }
   free(run->folder);
-  free(run->results);
-  free(run->traces);
-  free(run->seconds);
-  free(run->processor_seconds);
-  free(run->done);
-  free(run->asked);
-  free(run->environment);
-  free(run->beyond);
+  free(run->points);
   free(run->rounds);
+  free(run->environment);
   free(run->starts);
-  free(run->interleaved);
   free(run->processes);
   free(run->kept_folder);
   po_check_results_clear(&run->check_results);
@@ -102,17 +82,13 @@ po_status po_case_run_place(po_case_run *run, const char *output) {
   return run->folder ? PO_OK : PO_NO_MEMORY;
 }
 
-po_round *po_case_run_rounds(const po_case_run *run, size_t point) {
-  return run->rounds + point * run->plan->kase->repeats;
-}
-
 void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count) {
   run->asked_count = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
-    run->asked[i] = false;
+    run->points[i].asked = false;
     for (size_t k = 0; k < count; ++k)
-      run->asked[i] = run->asked[i] || (i >= ranges[k].first && i <= ranges[k].last);
-    run->asked_count += run->asked[i];
+      run->points[i].asked = run->points[i].asked || (i >= ranges[k].first && i <= ranges[k].last);
+    run->asked_count += run->points[i].asked;
   }
 }
 
@@ -123,7 +99,7 @@ bool po_case_run_is_whole(const po_case_run *run) {
 size_t po_case_run_lacking(const po_case_run *run) {
   size_t count = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    count += run->asked[i] && !run->done[i];
+    count += run->points[i].asked && !run->points[i].done;
   return count;
 }
 
@@ -132,7 +108,7 @@ bool po_case_run_is_done(const po_case_run *run) {
 }
 
 bool po_case_run_failed(const po_case_run *run, size_t point) {
-  if (run->results[point].status == PO_OK || (run->beyond && run->beyond[point]))
+  if (run->points[point].result.status == PO_OK || run->points[point].beyond)
     return false;
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];
@@ -148,7 +124,7 @@ bool po_finding_next(const po_case_run *run, po_finding *finding) {
   const size_t checks = run->check_results.count, end = checks + kase->point_count;
   size_t next = finding->next;
   while (next >= checks && next < end &&
-         !(run->asked[next - checks] && po_case_run_failed(run, next - checks)))
+         !(run->points[next - checks].asked && po_case_run_failed(run, next - checks)))
     ++next;
   if (next == end)
     return false;

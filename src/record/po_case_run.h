@@ -16,25 +16,34 @@ typedef struct {
 /* Number of solves in a process of a timed round, unless the first one takes long. */
 enum { PO_ROUND_SOLVES = 2 };
 
-/* Seconds of one timed round of a point (po_job.h). NAN: unknown. */
+/* Seconds of one round of a point (po_job.h). NAN: not solved, or unknown. */
 typedef struct {
-  double first, later; /* of the first and the second solve, as reported; without a second one the
-                          same */
-  double reported;     /* sum of all times that the process reports */
+  double seconds, processor_seconds; /* of the solve */
+  /* Of an external solver that is timed. `seconds` is then the second solve, as reported; without
+   * one the first. */
+  double first;                       /* the first solve, as reported */
+  double reported;                    /* sum of all times that the process reports */
   double wall, processor;             /* of the process */
   double start_wall, start_processor; /* of the process that was asked nothing */
 } po_round;
 
+/* A point of a case in a run. */
+typedef struct {
+  po_result result;
+  po_result trace;  /* of a point of a series that is also traced */
+  po_round *rounds; /* one a repetition of the solve */
+  bool asked;       /* the point is requested; initially all are */
+  bool done;        /* its result is known */
+  bool beyond;      /* the manifest of an external solver excludes the point */
+  bool interleaved; /* this program was timed in the same rounds as an external solver */
+} po_point_run;
+
 typedef struct {
   po_plan *plan;
-  char *folder;       /* of its records and its journal; NULL: see po_case_run_place */
-  po_result *results; /* one a point */
-  po_result *traces;  /* one a point; filled for points of a series that are also traced */
-  double *seconds;    /* wall time of each solve; `repeats` values a point, NAN: not solved */
-  double *processor_seconds; /* processor time of each solve, in the same order */
-  bool *asked;               /* one a point: the point is requested; initially all are */
+  char *folder; /* of its records and its journal; NULL: see po_case_run_place */
+  po_point_run *points;
+  po_round *rounds; /* of all points */
   size_t asked_count;
-  bool *done;     /* one a point: its result is known */
   size_t pending; /* number of requested points that are not solved yet */
   size_t at_work; /* number of jobs that threads do at present (po_job.h) */
   size_t resumed; /* number of points that were read from the journal */
@@ -48,14 +57,11 @@ typedef struct {
   double elapsed;            /* seconds that the solves took */
   char *environment;         /* of the solves, as JSON; NULL: that of this process */
   /* Of an external solver. */
-  bool *beyond;  /* one a point: its manifest excludes the point; NULL: none */
   size_t chunks; /* number of shares into which the points are divided */
   po_coverage coverage;
   po_ask_process *processes; /* those that were run */
   size_t process_count;
-  po_round *rounds;  /* times of the solves, `repeats` a point; NULL: not timed */
-  po_round *starts;  /* one a round: the times of a process that is asked nothing */
-  bool *interleaved; /* one a point: this program was timed in the same rounds */
+  po_round *starts; /* one a round: the times of a process that is asked nothing; NULL: not timed */
   char *kept_folder; /* of a process that did not end as it should; NULL: none */
 } po_case_run;
 
@@ -75,9 +81,6 @@ po_status po_case_run_place(po_case_run *run, const char *output);
 /* Marks a point as beyond an external solver, which is not asked for it. Given: `why`, the reason.
  */
 void po_case_run_exclude(po_case_run *run, size_t point, const char *why);
-
-/* Returned: the times of the rounds of a point; run->rounds is not NULL. */
-po_round *po_case_run_rounds(const po_case_run *run, size_t point);
 
 /* Requests only the existing points with numbers in these ranges. */
 void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count);

@@ -19,7 +19,7 @@ static po_status read_entry(po_case_run *run, json_t *entry, const char *folder)
   size_t index = 0;
   char expected[PO_DIGEST_LENGTH];
   if (!key || !id || !po_number_parse_count(id, &index) || index >= run->plan->kase->point_count ||
-      !run->asked[index])
+      !run->points[index].asked)
     return PO_OK;
   po_status status = po_record_key(run, index, expected);
   if (!status && strcmp(key, expected) == 0)

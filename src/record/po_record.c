@@ -253,7 +253,7 @@ po_status po_record_write(po_case_run *run, const char *folder, int jobs,
   po_text text = {0};
   po_status status = part && path ? po_folder_make(folder) : PO_NO_MEMORY;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    if (!run->asked[i])
+    if (!run->points[i].asked)
       po_case_run_exclude(run, i, "the run was limited to other points");
   if (!status)
     status = write_points(run, folder, &points);
@@ -307,7 +307,7 @@ static po_status read_record(po_case_run *run, const json_t *record, bool intact
       (intact || !json_object_get(record, "checksum")))
     return PO_NOT_FOUND; /* of other scenes or of another program */
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    if (run->asked[i] && !run->done[i] &&
+    if (run->points[i].asked && !run->points[i].done &&
         po_record_read_point(run, i, json_array_get(points, i), folder, intact) == PO_NO_MEMORY)
       return PO_NO_MEMORY;
   if (!po_case_run_is_done(run))

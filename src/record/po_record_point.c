@@ -21,17 +21,20 @@ static const double MISSED_SHARE = 0.25, START_SHARE = 0.5;
  * is measured from before its start until after its end. */
 static const double EXCESS_SHARE = 0.01, EXCESS_SECONDS = 0.02;
 
-/* Names of the arrays in the record, and the members that they contain. */
+/* Names of the arrays in the record, and the members that they contain. All points have the first
+ * two; the others are in the member `timing` of an external solver. */
 static const struct {
   const char *name;
   size_t place;
-} COLUMNS[] = {{"first_seconds", offsetof(po_round, first)},
+} COLUMNS[] = {{"seconds_all", offsetof(po_round, seconds)},
+               {"processor_seconds_all", offsetof(po_round, processor_seconds)},
+               {"first_seconds", offsetof(po_round, first)},
                {"reported_seconds", offsetof(po_round, reported)},
                {"process_seconds", offsetof(po_round, wall)},
                {"process_processor_seconds", offsetof(po_round, processor)},
                {"start_seconds", offsetof(po_round, start_wall)},
                {"start_processor_seconds", offsetof(po_round, start_processor)}};
-enum { COLUMN_COUNT = sizeof COLUMNS / sizeof *COLUMNS };
+enum { COLUMN_COUNT = sizeof COLUMNS / sizeof *COLUMNS, OF_ALL = 2 };
 
 static double *cell(po_round *round, size_t column) {
   return (double *)(void *)((char *)round + COLUMNS[column].place);
@@ -42,10 +45,10 @@ static double *cell(po_round *round, size_t column) {
  * "none": it reports no times, or has no result. Otherwise "agrees". */
 static const char *clock_of(const po_case_run *run, size_t point) {
   const unsigned repeats = run->plan->kase->repeats;
-  const po_round *rounds = po_case_run_rounds(run, point);
+  const po_round *rounds = run->points[point].rounds;
   unsigned known = 0, less = 0;
   /* the process of a failed solve may do more than it reports */
-  for (unsigned r = 0; !run->results[point].status && r < repeats; ++r) {
+  for (unsigned r = 0; !run->points[point].result.status && r < repeats; ++r) {
     const po_round *round = &rounds[r];
     const double taken = fmax(round->wall - round->start_wall, 0);
     if (isnan(round->reported) || isnan(round->wall))
@@ -60,45 +63,47 @@ static const char *clock_of(const po_case_run *run, size_t point) {
 
 size_t po_record_disagreements(const po_case_run *run) {
   size_t count = 0;
-  for (size_t i = 0; run->rounds && i < run->plan->kase->point_count; ++i) {
+  for (size_t i = 0; run->starts && i < run->plan->kase->point_count; ++i) {
     const char *clock = clock_of(run, i);
-    count += run->asked[i] && (strcmp(clock, "more") == 0 || strcmp(clock, "less") == 0);
+    count += run->points[i].asked && (strcmp(clock, "more") == 0 || strcmp(clock, "less") == 0);
   }
   return count;
 }
 
-/* Returned: the member `timing` of a point; null unless an external solver was timed. */
+/* Returned: the member `timing` of a point of an external solver that was timed. */
 static json_t *timing_json(const po_case_run *run, size_t point) {
-  if (!run->rounds)
-    return json_null();
   json_t *object = po_json_empty_object();
-  for (size_t c = 0; c < COLUMN_COUNT; ++c) {
+  for (size_t c = OF_ALL; c < COLUMN_COUNT; ++c) {
     json_t *array = po_json_empty_array();
     for (unsigned r = 0; r < run->plan->kase->repeats; ++r)
-      po_json_append(&array, po_json_number(*cell(&po_case_run_rounds(run, point)[r], c)));
+      po_json_append(&array, po_json_number(*cell(&run->points[point].rounds[r], c)));
     po_json_set(&object, COLUMNS[c].name, array);
   }
   po_json_set(&object, "clock", po_json_text(clock_of(run, point)));
-  po_json_set(&object, "interleaved", po_json_flag(run->interleaved[point]));
+  po_json_set(&object, "interleaved", po_json_flag(run->points[point].interleaved));
   return object;
+}
+
+/* Reads times of a point; those that the array lacks are NAN. */
+static void read_times(po_case_run *run, size_t point, size_t column, const json_t *array) {
+  for (unsigned r = 0; r < run->plan->kase->repeats; ++r) {
+    const json_t *value = json_array_get(array, r);
+    *cell(&run->points[point].rounds[r], column) =
+        json_is_number(value) ? json_number_value(value) : (double)NAN;
+  }
 }
 
 /* Reads that member. Status: PO_NOT_FOUND if it is missing or incomplete. */
 static po_status read_timing(po_case_run *run, size_t point, const json_t *timing) {
-  const unsigned repeats = run->plan->kase->repeats;
-  if (!run->rounds)
+  if (!run->starts)
     return PO_OK;
-  for (size_t c = 0; c < COLUMN_COUNT; ++c) {
+  for (size_t c = OF_ALL; c < COLUMN_COUNT; ++c) {
     const json_t *array = json_object_get(timing, COLUMNS[c].name);
-    if (json_array_size(array) != repeats)
+    if (json_array_size(array) != run->plan->kase->repeats)
       return PO_NOT_FOUND;
-    for (unsigned r = 0; r < repeats; ++r) {
-      const json_t *value = json_array_get(array, r);
-      *cell(&po_case_run_rounds(run, point)[r], c) =
-          json_is_number(value) ? json_number_value(value) : (double)NAN;
-    }
+    read_times(run, point, c, array);
   }
-  run->interleaved[point] = json_is_true(json_object_get(timing, "interleaved"));
+  run->points[point].interleaved = json_is_true(json_object_get(timing, "interleaved"));
   return PO_OK;
 }
 
@@ -144,13 +149,12 @@ static json_t *sweep(const po_case *kase, size_t point) {
   return object;
 }
 
-/* Returned: the times of a point in the order of the rounds in which it was solved. */
-static json_t *times(const po_case_run *run, const double *seconds, size_t point) {
-  const unsigned repeats = run->plan->kase->repeats;
+/* Returned: times of a point in the order of the rounds in which it was solved. */
+static json_t *times(const po_case_run *run, size_t point, size_t column) {
   json_t *array = po_json_empty_array();
-  for (unsigned i = 0; i < repeats; ++i)
-    if (!isnan(run->seconds[point * repeats + i]))
-      po_json_append(&array, po_json_number(seconds[point * repeats + i]));
+  for (unsigned r = 0; r < run->plan->kase->repeats; ++r)
+    if (!isnan(run->points[point].rounds[r].seconds))
+      po_json_append(&array, po_json_number(*cell(&run->points[point].rounds[r], column)));
   return array;
 }
 
@@ -173,7 +177,7 @@ static void table_name(char name[64], const char *what, const po_point *point) {
 static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
                            json_t **entry) {
   const po_point *point = &run->plan->kase->points[index];
-  const po_result *result = &run->results[index];
+  const po_result *result = &run->points[index].result;
   const char *what = profile ? "profile" : "curve";
   char name[64], digest_key[32], digest[PO_DIGEST_LENGTH];
   table_name(name, what, point);
@@ -212,7 +216,7 @@ static json_t *sealed_result(const po_request *request, const po_result *result)
 po_status po_record_digest(const po_case_run *run, size_t index,
                            char digest[PO_RESULT_DIGEST_LENGTH]) {
   const po_request shown = shown_request(run->plan->kase, &run->plan->kase->points[index]);
-  json_t *object = po_json_result(&shown, &run->results[index]);
+  json_t *object = po_json_result(&shown, &run->points[index].result);
   const po_status status = po_json_digest(object, digest);
   json_decref(object);
   return status;
@@ -221,21 +225,21 @@ po_status po_record_digest(const po_case_run *run, size_t index,
 json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[index];
-  const po_result *result = &run->results[index];
+  const po_result *result = &run->points[index].result;
   const po_request shown = shown_request(kase, point);
   json_t *object = sealed_result(&shown, result);
   po_json_set(&object, "id", po_json_text(point->id));
   po_json_set(&object, "label", po_json_text(point->label));
   po_json_set(&object, "sweep", sweep(kase, index));
-  po_json_set(&object, "seconds_all", times(run, run->seconds, index));
-  po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
-  if (run->rounds)
+  for (size_t c = 0; c < OF_ALL; ++c)
+    po_json_set(&object, COLUMNS[c].name, times(run, index, c));
+  if (run->starts)
     po_json_set(&object, "timing", timing_json(run, index));
   po_json_set(&object, "command",
               run->plan->solver ? rerun_json(run->plan, index)
                                 : po_json_take_text(po_input_command(&shown)));
   if (point->traced)
-    po_json_set(&object, "traced", sealed_result(&shown, &run->traces[index]));
+    po_json_set(&object, "traced", sealed_result(&shown, &run->points[index].trace));
   if (kase->is_physical)
     po_json_set(&object, "physical",
                 PO_JSON_OBJECT({"units", po_json_units(&kase->units)},
@@ -309,10 +313,6 @@ const char *po_record_text(const json_t *object, const char *key) {
   return text ? text : "";
 }
 
-static double number_or_nan(const json_t *value) {
-  return json_is_number(value) ? json_number_value(value) : (double)NAN;
-}
-
 static po_status read_table(const json_t *point, bool profile, bool needed, const char *folder,
                             po_result *result) {
   const char *name = po_record_text(point, profile ? "profile" : "curve");
@@ -330,30 +330,27 @@ static po_status read_table(const json_t *point, bool profile, bool needed, cons
 
 /* Reads the numbers of an entry that has its checksum. */
 static po_status read_numbers(po_case_run *run, size_t index, const json_t *entry) {
-  const unsigned repeats = run->plan->kase->repeats;
-  const json_t *seconds = json_object_get(entry, "seconds_all");
-  const json_t *processor = json_object_get(entry, "processor_seconds_all");
+  const json_t *seconds = json_object_get(entry, COLUMNS[0].name);
+  const json_t *processor = json_object_get(entry, COLUMNS[1].name);
   if (strcmp(po_record_text(entry, "id"), run->plan->kase->points[index].id) != 0 ||
-      json_array_size(seconds) > repeats || json_array_size(processor) != json_array_size(seconds))
+      json_array_size(seconds) > run->plan->kase->repeats ||
+      json_array_size(processor) != json_array_size(seconds))
     return PO_NOT_FOUND;
-  po_status status = po_json_read_result(entry, &run->results[index]);
-  if (!status && run->results[index].status == PO_NO_MEMORY)
+  po_status status = po_json_read_result(entry, &run->points[index].result);
+  if (!status && run->points[index].result.status == PO_NO_MEMORY)
     status = PO_NOT_FOUND; /* lack of memory is no result: the point is solved again */
   if (!status && run->plan->kase->points[index].traced) {
-    po_result_clear(&run->traces[index]);
-    status = po_json_read_result(json_object_get(entry, "traced"), &run->traces[index]);
+    po_result_clear(&run->points[index].trace);
+    status = po_json_read_result(json_object_get(entry, "traced"), &run->points[index].trace);
   }
-  for (unsigned i = 0; i < repeats; ++i) {
-    const size_t place = index * repeats + i;
-    run->seconds[place] = number_or_nan(json_array_get(seconds, i));
-    run->processor_seconds[place] = number_or_nan(json_array_get(processor, i));
-  }
+  read_times(run, index, 0, seconds);
+  read_times(run, index, 1, processor);
   return status ? status : read_timing(run, index, json_object_get(entry, "timing"));
 }
 
 po_status po_record_read_point(po_case_run *run, size_t index, json_t *entry, const char *folder,
                                bool intact) {
-  po_result *result = &run->results[index];
+  po_result *result = &run->points[index].result;
   po_status status = intact ? PO_OK : check(run, index, entry);
   if (!status) {
     po_result_clear(result);
@@ -362,7 +359,7 @@ po_status po_record_read_point(po_case_run *run, size_t index, json_t *entry, co
       status = read_table(entry, false, run->plan->want & PO_WANT_CURVE, folder, result);
     if (!status)
       status = read_table(entry, true, run->plan->want & PO_WANT_PROFILE, folder, result);
-    run->done[index] = status == PO_OK;
+    run->points[index].done = status == PO_OK;
     if (status)
       po_result_clear(result);
   }

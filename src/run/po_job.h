@@ -54,14 +54,14 @@ po_job_work po_job_share;
  * without points, once a round. */
 po_job_work po_job_round;
 
-/* Returned: the median of `count` times, of which those that are NAN are left out; NAN if all are.
+/* Returned: the median of the seconds of `count` rounds, without those that are NAN; NAN if all
+ * are.
  */
-double po_times_median(const double *seconds, unsigned count);
+double po_times_median(const po_round *rounds, unsigned count);
 
-/* Returned: whether the solves of a point before a round took a tenth of a second together, so
- * that it is not solved again. Given: the processor time of each round, in seconds; NAN: not
- * solved. */
-bool po_times_are_enough(const double *seconds, unsigned round);
+/* Returned: whether the first `count` solves of a point took a tenth of a second of processor time
+ * together, so that it is not solved again. */
+bool po_times_are_enough(const po_round *rounds, unsigned count);
 
 /* Reports whether a point is the first of the requested open points with its question, for which
  * the question is asked. */

@@ -6,7 +6,7 @@
 static bool is_wanted(const po_case_run *run, size_t begin) {
   bool wanted = false;
   for (size_t p = begin; p < begin + run->plan->kase->series_length; ++p)
-    wanted = wanted || (run->asked[p] && !run->done[p]);
+    wanted = wanted || (run->points[p].asked && !run->points[p].done);
   return wanted;
 }
 

@@ -164,7 +164,7 @@ static double effort(const po_case_run *run) {
 /* Reports whether a solve ended for lack of memory. This is no result: the point is not stored, and
  * the next run solves it again. */
 static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
-  const po_result *result = &run->results[point];
+  const po_result *result = &run->points[point].result;
   if (result->status != PO_NO_MEMORY || run->plan->solver)
     return false;
   if (crew->starved++ == 0)
@@ -176,7 +176,7 @@ static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
 /* Counts a solve and, if it was the last one of its point, keeps the point in the journal. */
 static po_status take(void *context, po_case_run *run, size_t point, bool last) {
   po_crew *crew = context;
-  if (!run->done[point]) {
+  if (!run->points[point].done) {
     char what[128];
     snprintf(what, sizeof what, "%.40s %.60s", po_plan_name(run->plan),
              run->plan->kase->points[point].label);
@@ -184,8 +184,8 @@ static po_status take(void *context, po_case_run *run, size_t point, bool last) 
   }
   if (!last || is_starved(crew, run, point))
     return PO_OK;
-  run->pending -= !run->done[point];
-  run->done[point] = true;
+  run->pending -= !run->points[point].done;
+  run->points[point].done = true;
   return po_journal_add(run, point, run->folder);
 }
 
@@ -241,8 +241,8 @@ static void do_shared(po_crew *crew, const po_job *jobs, size_t count, int threa
 static bool is_open_here(const po_crew *crew, size_t count, const po_case *kase, size_t point) {
   for (size_t k = 0; k < count; ++k) {
     const po_case_run *run = &crew->runs[k];
-    if (run->plan->kase == kase && !run->plan->solver && !run->finished && run->asked[point] &&
-        !run->done[point])
+    if (run->plan->kase == kase && !run->plan->solver && !run->finished &&
+        run->points[point].asked && !run->points[point].done)
       return true;
   }
   return false;
@@ -256,12 +256,12 @@ static po_status mark_interleaved(po_crew *crew, size_t count) {
   for (size_t r = 0; r < count && !status; ++r) {
     po_case_run *run = &crew->runs[r];
     bool changed = false;
-    for (size_t i = 0; run->rounds && i < run->plan->kase->point_count; ++i) {
+    for (size_t i = 0; run->starts && i < run->plan->kase->point_count; ++i) {
       const bool open = is_open_here(crew, count, run->plan->kase, i);
-      const bool before = run->interleaved[i];
-      if (run->asked[i] && (open || !run->done[i]))
-        run->interleaved[i] = open && !run->done[i];
-      changed = changed || run->interleaved[i] != before;
+      const bool before = run->points[i].interleaved;
+      if (run->points[i].asked && (open || !run->points[i].done))
+        run->points[i].interleaved = open && !run->points[i].done;
+      changed = changed || run->points[i].interleaved != before;
     }
     if (run->finished && changed)
       status = po_record_write(run, run->folder, crew->jobs, crew->options->stop);
@@ -307,8 +307,8 @@ static po_status work_through(po_crew *crew, size_t count) {
 /* Leaves out the points that are neither needed nor known. */
 static void leave_out(po_case_run *run, const bool *needed) {
   for (size_t i = 0; needed && i < run->plan->kase->point_count; ++i)
-    if (run->asked[i] && !run->done[i] && !needed[i]) {
-      run->asked[i] = false;
+    if (run->points[i].asked && !run->points[i].done && !needed[i]) {
+      run->points[i].asked = false;
       run->asked_count -= 1;
     }
 }
@@ -359,12 +359,12 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
   run->chunks = run->plan->kase->repeats > 1 ? 1 : (size_t)crew->jobs;
   run->pending = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
-    if (!run->asked[i])
+    if (!run->points[i].asked)
       continue;
-    run->pending += run->done[i] ? 0 : 1;
-    const bool resumed = run->done[i] && !(run->beyond && run->beyond[i]);
+    run->pending += run->points[i].done ? 0 : 1;
+    const bool resumed = run->points[i].done && !run->points[i].beyond;
     run->resumed += resumed;
-    run->elapsed += resumed && !run->plan->solver ? run->results[i].work.seconds : 0;
+    run->elapsed += resumed && !run->plan->solver ? run->points[i].result.work.seconds : 0;
   }
   if (run->chunks > run->pending)
     run->chunks = run->pending;

@@ -13,7 +13,7 @@
 /* Reports whether the results of a point are compared: it is requested, and an external solver was
  * asked for it. */
 static bool is_judged(const po_case_run *run, size_t point) {
-  return run->asked[point] && !(run->beyond && run->beyond[point]);
+  return run->points[point].asked && !run->points[point].beyond;
 }
 
 /* Reports whether the approach of a result is one at which a jump, or the greatest tension of a
@@ -109,19 +109,49 @@ static bool is_measured(const po_case_run *run, const po_check *measure) {
   return !run->plan->solver || po_solver_computes(run->plan->solver, measure->quantity);
 }
 
-/* The share of solved points among those that an external solver was asked for. */
+/* Compares the share of solved points with 1, and adds one result for the case. The share refers to
+ * the compared points to which the check applies. If a failure has no reason, the verdict is
+ * outside, whatever the share. Status: PO_NO_MEMORY. */
 static po_status compare_share(po_case_run *run, const po_check *check,
                                const po_reference *reference) {
   const po_case *kase = run->plan->kase;
-  bool *judged = po_allocate(kase->point_count, sizeof *judged);
-  if (!judged)
+  size_t concerned = 0, solved = 0, without_reason = 0, example = 0;
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    const po_result *result = &run->points[i].result;
+    if (!is_judged(run, i) || !po_check_concerns(check, &kase->points[i].request))
+      continue;
+    concerned += 1;
+    if (result->status == PO_OK)
+      solved += 1;
+    else {
+      without_reason += result->reason[0] ? 0 : 1;
+      example = concerned == solved + 1 ? i : example;
+    }
+  }
+  if (!concerned)
+    return PO_OK;
+  const po_reference_number expected = {1, (double)NAN};
+  po_check_result *item = po_check_results_add(&run->check_results, kase, example, check,
+                                               po_quantity_of(check->quantity)->name, "",
+                                               (double)solved / (double)concerned, expected);
+  char *id = po_copy_text("solved_share/every_scene");
+  if (!item || !id) {
+    free(id);
     return PO_NO_MEMORY;
-  for (size_t i = 0; i < kase->point_count; ++i)
-    judged[i] = is_judged(run, i);
-  const po_status status =
-      po_compare_share(kase, judged, check, reference, run->results, &run->check_results);
-  free(judged);
-  return status;
+  }
+  free(item->id);
+  item->id = id;
+  item->whole = true;
+  item->ledger = reference->ledger;
+  if (without_reason) {
+    item->verdict = PO_OUTSIDE;
+    snprintf(item->note, sizeof item->note, "%zu of %zu failures have no reason", without_reason,
+             concerned - solved);
+  } else if (solved < concerned)
+    snprintf(item->note, sizeof item->note, "%zu of %zu points failed, first point %s: %.100s",
+             concerned - solved, concerned, kase->points[example].id,
+             run->points[example].result.reason);
+  return PO_OK;
 }
 
 /* Returned: the value of a quantity of the pull-off in the trace, with its estimated error as the
@@ -139,8 +169,8 @@ static po_status compare_traced(po_case_run *run, const po_check *check,
                                 const po_reference *reference) {
   const po_case *kase = run->plan->kase;
   for (size_t i = 0; i < kase->point_count; ++i) {
-    const po_result *result = &run->results[i], *trace = &run->traces[i];
-    if (!run->asked[i] || !kase->points[i].traced ||
+    const po_result *result = &run->points[i].result, *trace = &run->points[i].trace;
+    if (!run->points[i].asked || !kase->points[i].traced ||
         !po_check_concerns(check, &kase->points[i].request))
       continue;
     po_check_result *item = po_check_results_add(
@@ -180,14 +210,14 @@ po_status po_run_check(po_case_run *run, const volatile sig_atomic_t *stop) {
     }
     for (size_t i = 0; !status && i < kase->point_count; ++i)
       if (is_judged(run, i))
-        status = po_compare(kase, i, check, &run->plan->references[c], &run->results[i],
+        status = po_compare(kase, i, check, &run->plan->references[c], &run->points[i].result,
                             &run->check_results);
   }
   for (unsigned m = 0; !status && m < kase->file->measure_count; ++m)
     for (size_t i = 0; !status && i < kase->point_count; ++i)
       if (is_judged(run, i) && is_measured(run, &kase->file->measure[m]))
         status = po_compare(kase, i, &kase->file->measure[m], &run->plan->measures[m],
-                            &run->results[i], &run->measured);
+                            &run->points[i].result, &run->measured);
   if (!status)
     po_judge(&run->check_results);
   return !status && run->plan->solver ? judge_solver(run, stop) : status;

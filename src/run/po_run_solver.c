@@ -45,7 +45,7 @@ static po_question question_of(const po_case_run *run, size_t point) {
   const po_request *request = &plan->kase->points[point].request;
   po_question q = {.request = *request,
                    .want = po_plan_asked(plan),
-                   .repeats = run->rounds ? PO_ROUND_SOLVES : 1,
+                   .repeats = run->starts ? PO_ROUND_SOLVES : 1,
                    .limit =
                        isnan(request->time_limit) ? plan->solver->time_limit : request->time_limit};
   snprintf(q.id, sizeof q.id, "%s", plan->kase->points[point].id);
@@ -67,7 +67,7 @@ static po_status collect(po_case_run *run, size_t share, size_t shares, share_of
   const bool made = first && number && s->questions && s->leader;
   for (size_t i = 0; made && i < points; ++i) {
     s->leader[i] = SIZE_MAX;
-    if (!run->asked[i] || run->beyond[i])
+    if (!run->points[i].asked || run->points[i].beyond)
       continue;
     size_t k = 0;
     while (k < distinct && !is_same(run, first[k], i))
@@ -76,7 +76,7 @@ static po_status collect(po_case_run *run, size_t share, size_t shares, share_of
       first[distinct] = i;
       number[distinct++] = SIZE_MAX;
     }
-    if (run->done[i] || k % shares != share)
+    if (run->points[i].done || k % shares != share)
       continue;
     if (number[k] == SIZE_MAX) {
       number[k] = s->count;
@@ -115,11 +115,11 @@ static po_status store(share_of_run *s, size_t question, po_answer *answer, bool
   po_case_run *run = s->run;
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
-    po_result *result = &run->results[i];
+    po_result *result = &run->points[i].result;
     if (s->leader[i] != question)
       continue;
-    run->seconds[i] = answer->solve;
-    run->processor_seconds[i] = (double)NAN;
+    run->points[i].rounds->seconds = answer->solve;
+    run->points[i].rounds->processor_seconds = (double)NAN;
     po_result_clear(result);
     status = copy_result(run, i, &answer->result, result);
     if (!status && final) {
@@ -179,7 +179,7 @@ po_status po_job_share(po_case_run *run, const po_job *job, const po_job_desk *d
  * run may be killed, too. */
 static po_status take_recovered(void *context, po_case_run *run, size_t point, bool last) {
   (void)context;
-  run->done[point] = last;
+  run->points[point].done = last;
   return po_journal_add(run, point, run->folder);
 }
 
@@ -199,7 +199,7 @@ po_status po_run_solver_recover(po_case_run *run) {
 static const double LONG_SOLVE = 5;
 
 static bool is_open(const po_case_run *run, size_t point) {
-  return run->asked[point] && !run->done[point];
+  return run->points[point].asked && !run->points[point].done;
 }
 
 bool po_run_solver_leads(const po_case_run *run, size_t point) {
@@ -239,17 +239,17 @@ typedef struct {
 
 static po_status take_round(void *context, size_t question, po_answer *answer, bool final) {
   listener *l = context;
-  po_result *result = &l->run->results[l->point];
+  po_result *result = &l->run->points[l->point].result;
   (void)question;
   (void) final;
   if (answer->repeat == 1)
     l->round.first = answer->solve;
   else
-    l->round.later = answer->solve;
+    l->round.seconds = answer->solve;
   l->enough = !answer->result.status && answer->repeat == 1 &&
               po_clock_wall() - l->begin > l->round.start_wall + LONG_SOLVE;
   if (l->enough)
-    l->round.later = answer->solve;
+    l->round.seconds = answer->solve;
   if (answer->result.status || (l->number == 0 && answer->repeat == 1)) {
     po_result_clear(result);
     const po_status status = copy_result(l->run, l->point, &answer->result, result);
@@ -273,9 +273,8 @@ static void take_process(po_round *round, const po_ask_log *log) {
  * the result. Status: as po_ask. */
 static po_status ask(po_case_run *run, size_t point, unsigned round,
                      const volatile sig_atomic_t *stop) {
-  const unsigned repeats = run->plan->kase->repeats;
-  const size_t place = point * repeats + round;
-  run->seconds[place] = run->processor_seconds[place] = NAN;
+  po_round *made = &run->points[point].rounds[round];
+  made->seconds = made->processor_seconds = NAN;
   po_status status = measure_start(run, round, stop);
   const po_question question = question_of(run, point);
   listener l = {.run = run,
@@ -283,6 +282,7 @@ static po_status ask(po_case_run *run, size_t point, unsigned round,
                 .number = round,
                 .begin = po_clock_wall(),
                 .round = run->starts[round]};
+  l.round.seconds = NAN;
   po_ask_log log = {0};
   if (!status)
     status = po_ask(run->plan->solver, &question, 1, run->folder, run->plan->solve_key, stop,
@@ -295,11 +295,10 @@ static po_status ask(po_case_run *run, size_t point, unsigned round,
   }
   const double solves = l.enough ? 1 : PO_ROUND_SOLVES;
   take_process(&l.round, &log);
-  if (isnan(l.round.later)) /* it reports no time */
-    l.round.later = fmax(l.round.wall - l.round.start_wall, 0) / solves;
-  po_case_run_rounds(run, point)[round] = l.round;
-  run->seconds[place] = l.round.later;
-  run->processor_seconds[place] = fmax(l.round.processor - l.round.start_processor, 0) / solves;
+  if (isnan(l.round.seconds)) /* it reports no time */
+    l.round.seconds = fmax(l.round.wall - l.round.start_wall, 0) / solves;
+  l.round.processor_seconds = fmax(l.round.processor - l.round.start_processor, 0) / solves;
+  *made = l.round;
   status = keep_log(run, &log);
   po_ask_log_clear(&log);
   return status;
@@ -309,34 +308,28 @@ static po_status ask(po_case_run *run, size_t point, unsigned round,
  * solves took long enough. */
 static bool are_enough(const po_case_run *run, size_t point, unsigned round) {
   const unsigned repeats = run->plan->kase->repeats;
-  return round + 1 == repeats || run->results[point].status != PO_OK ||
-         po_times_are_enough(run->processor_seconds + point * repeats, round + 1);
+  return round + 1 == repeats || run->points[point].result.status != PO_OK ||
+         po_times_are_enough(run->points[point].rounds, round + 1);
 }
 
 /* Computes the medians of a point whose last round was number `round`. */
 static void end(po_case_run *run, size_t point, unsigned round) {
   const unsigned repeats = run->plan->kase->repeats;
-  po_result *result = &run->results[point];
-  double *seconds = run->seconds + point * repeats;
-  for (unsigned r = round + 1; r < repeats; ++r)
-    seconds[r] = run->processor_seconds[point * repeats + r] = NAN;
-  result->work.seconds = result->status ? (double)NAN : po_times_median(seconds, repeats);
-  for (unsigned r = 0; result->status && r < repeats; ++r)
-    seconds[r] = run->processor_seconds[point * repeats + r] = NAN;
+  po_result *result = &run->points[point].result;
+  po_round *rounds = run->points[point].rounds;
+  for (unsigned r = result->status ? 0 : round + 1; r < repeats; ++r)
+    rounds[r].seconds = rounds[r].processor_seconds = NAN;
+  result->work.seconds = po_times_median(rounds, repeats);
 }
 
 /* Copies result and times of a point to another one with the same question. */
-static po_status copy(po_case_run *run, size_t point, size_t to) {
-  const unsigned repeats = run->plan->kase->repeats;
-  const size_t from_place = point * repeats, to_place = to * repeats;
-  po_result_clear(&run->results[to]);
-  const po_status status = copy_result(run, to, &run->results[point], &run->results[to]);
-  memcpy(run->seconds + to_place, run->seconds + from_place, repeats * sizeof *run->seconds);
-  memcpy(run->processor_seconds + to_place, run->processor_seconds + from_place,
-         repeats * sizeof *run->processor_seconds);
-  memcpy(run->rounds + to_place, run->rounds + from_place, repeats * sizeof *run->rounds);
-  run->results[to].work.seconds = run->results[point].work.seconds;
-  run->interleaved[to] = run->interleaved[point];
+static po_status copy(po_case_run *run, size_t number, const po_point_run *point) {
+  po_point_run *to = &run->points[number];
+  po_result_clear(&to->result);
+  const po_status status = copy_result(run, number, &point->result, &to->result);
+  memcpy(to->rounds, point->rounds, run->plan->kase->repeats * sizeof *to->rounds);
+  to->result.work.seconds = point->result.work.seconds;
+  to->interleaved = point->interleaved;
   return status;
 }
 
@@ -346,7 +339,7 @@ static po_status hand_over(po_case_run *run, size_t point, const po_job_desk *de
   for (size_t i = point + 1; !status && i < run->plan->kase->point_count; ++i) {
     if (!is_open(run, i) || !is_same(run, point, i))
       continue;
-    status = copy(run, point, i);
+    status = copy(run, i, &run->points[point]);
     if (!status)
       status = desk->take(desk->context, run, i, true);
   }
@@ -356,7 +349,7 @@ static po_status hand_over(po_case_run *run, size_t point, const po_job_desk *de
 /* A point is handed over at once after its last round, so that an interruption loses no long solve.
  */
 po_status po_job_round(po_case_run *run, const po_job *job, const po_job_desk *desk) {
-  if (run->done[job->point])
+  if (run->points[job->point].done)
     return PO_OK;
   const po_status status = ask(run, job->point, job->round, desk->stop);
   if (status || !are_enough(run, job->point, job->round))

@@ -42,7 +42,7 @@ po_status po_shard_deal(po_case_run *runs, size_t count, po_shard shard) {
   for (size_t r = 0; r < count; ++r) {
     const po_case *kase = runs[r].plan->kase;
     const size_t length = group_length(kase);
-    for (size_t i = 0; i < kase->point_count; runs[r].asked[i++] = false)
+    for (size_t i = 0; i < kase->point_count; runs[r].points[i++].asked = false)
       if (i % length == 0) {
         groups[filled] = (group){po_random_mix(filled), r, i, length};
         ++filled;
@@ -53,7 +53,7 @@ po_status po_shard_deal(po_case_run *runs, size_t count, po_shard shard) {
   for (size_t p = shard.number - 1; p < total; p += shard.count) {
     po_case_run *run = &runs[groups[p].run];
     for (size_t i = groups[p].first; i < groups[p].first + groups[p].length; ++i)
-      run->asked[i] = true;
+      run->points[i].asked = true;
     run->asked_count += groups[p].length;
   }
   free(groups);
@@ -329,7 +329,7 @@ static po_status read_points(const po_merge_part *part, po_case_run *run) {
   if (!status && run->damaged)
     return po_fail(PO_CANNOT_READ, "%s: the record of %s was altered: run the shard again",
                    part->folder, run->plan->kase->file->name);
-  return status || !run->asked[0] ? status : take_environment(part, run);
+  return status || !run->points[0].asked ? status : take_environment(part, run);
 }
 
 po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) {
@@ -346,7 +346,7 @@ po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) 
     po_case_run_ask(&runs[r], &(po_point_range){0, points}, 1);
     runs[r].elapsed = 0;
     for (size_t i = 0; i < points; ++i)
-      runs[r].elapsed += runs[r].results[i].work.seconds;
+      runs[r].elapsed += runs[r].points[i].result.work.seconds;
   }
   return status;
 }

@@ -19,22 +19,22 @@ static int ascending(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-double po_times_median(const double *seconds, unsigned count) {
+double po_times_median(const po_round *rounds, unsigned count) {
   double sorted[1000]; /* the greatest value of `repeats` */
   unsigned known = 0;
   for (unsigned i = 0; i < count; ++i)
-    if (!isnan(seconds[i]))
-      sorted[known++] = seconds[i];
+    if (!isnan(rounds[i].seconds))
+      sorted[known++] = rounds[i].seconds;
   if (known == 0)
     return (double)NAN;
   qsort(sorted, known, sizeof *sorted, ascending);
   return known % 2 ? sorted[known / 2] : (sorted[known / 2 - 1] + sorted[known / 2]) / 2;
 }
 
-bool po_times_are_enough(const double *seconds, unsigned round) {
+bool po_times_are_enough(const po_round *rounds, unsigned count) {
   double spent = 0.0;
-  for (unsigned i = 0; i < round; ++i)
-    spent += isnan(seconds[i]) ? 0.0 : seconds[i];
+  for (unsigned i = 0; i < count; ++i)
+    spent += isnan(rounds[i].processor_seconds) ? 0.0 : rounds[i].processor_seconds;
   return spent >= ENOUGH;
 }
 
@@ -47,15 +47,15 @@ static po_status solve(const po_request *request, po_result *result) {
 }
 
 static void solve_round(po_case_run *run, const po_job *job, const po_job_desk *desk) {
-  const size_t place = job->point * run->plan->kase->repeats + job->round;
+  po_round *round = &run->points[job->point].rounds[job->round];
   po_request request = po_plan_request(run->plan, job->point);
-  po_result again = {0}, *first = &run->results[job->point];
+  po_result again = {0}, *first = &run->points[job->point].result;
   po_result *result = job->round ? &again : first;
   request.stop = desk->stop;
   const double begin = po_clock_thread();
   const po_status status = solve(&request, result);
-  run->processor_seconds[place] = po_clock_thread() - begin;
-  run->seconds[place] = result->work.seconds;
+  round->processor_seconds = po_clock_thread() - begin;
+  round->seconds = result->work.seconds;
   if (status == PO_NO_MEMORY)
     first->status = status;
   po_result_clear(&again);
@@ -68,21 +68,20 @@ static po_status hand_over(po_case_run *run, size_t first, size_t count, bool la
   const bool stopped = desk->stop && *desk->stop;
 #pragma omp critical(po_run_finish)
   for (size_t i = first; i < first + count && !status && !stopped; ++i)
-    if (run->asked[i] && !run->done[i])
+    if (run->points[i].asked && !run->points[i].done)
       status = desk->take(desk->context, run, i, last);
   return status;
 }
 
 po_status po_job_solve(po_case_run *run, const po_job *job, const po_job_desk *desk) {
   const unsigned repeats = run->plan->kase->repeats;
-  double *seconds = run->seconds + job->point * repeats;
-  double *processor_seconds = run->processor_seconds + job->point * repeats;
-  if (po_times_are_enough(processor_seconds, job->round))
-    seconds[job->round] = processor_seconds[job->round] = (double)NAN;
+  po_round *rounds = run->points[job->point].rounds;
+  if (po_times_are_enough(rounds, job->round))
+    rounds[job->round].seconds = rounds[job->round].processor_seconds = (double)NAN;
   else
     solve_round(run, job, desk);
   if (job->round + 1 == repeats)
-    run->results[job->point].work.seconds = po_times_median(seconds, repeats);
+    run->points[job->point].result.work.seconds = po_times_median(rounds, repeats);
   po_no_memory_forget(); /* the status of the result reports it */
   return hand_over(run, job->point, 1, job->round + 1 == repeats, desk);
 }
@@ -98,24 +97,26 @@ static po_status trace_in_addition(const po_request *request, po_result *trace) 
 po_status po_job_series(po_case_run *run, const po_job *job, const po_job_desk *desk) {
   const po_case *kase = run->plan->kase;
   const size_t first = job->point;
+  po_point_run *points = run->points + first;
   po_request *requests = po_allocate(kase->series_length, sizeof *requests);
-  if (!requests)
-    return PO_NO_MEMORY;
-  for (size_t k = 0; k < kase->series_length; ++k) {
+  po_result *results = po_allocate(kase->series_length, sizeof *results);
+  po_status status = requests && results ? PO_OK : PO_NO_MEMORY;
+  for (size_t k = 0; k < kase->series_length && !status; ++k) {
     requests[k] = po_plan_request(run->plan, first + k);
     requests[k].stop = desk->stop;
-    po_result_clear(&run->results[first + k]);
   }
-  po_status status =
-      po_series_observe(requests, kase->series_length, kase->checkpoints, &run->results[first]);
-  status = po_no_memory_or(status);
-  for (size_t k = 0; k < kase->series_length && !status; ++k)
-    if (kase->points[first + k].traced)
-      status = trace_in_addition(&requests[k], &run->traces[first + k]);
-  for (size_t k = 0; k < kase->series_length; ++k) {
-    run->seconds[first + k] = run->results[first + k].work.seconds;
-    run->processor_seconds[first + k] = NAN; /* a series is not timed */
+  if (!status)
+    status = po_no_memory_or(
+        po_series_observe(requests, kase->series_length, kase->checkpoints, results));
+  for (size_t k = 0; k < kase->series_length && results; ++k) {
+    po_result_clear(&points[k].result);
+    points[k].result = results[k];
+    points[k].rounds->seconds = results[k].work.seconds;
+    points[k].rounds->processor_seconds = NAN; /* a series is not timed */
+    if (!status && kase->points[first + k].traced)
+      status = trace_in_addition(&requests[k], &points[k].trace);
   }
+  free(results);
   free(requests);
   return status ? status : hand_over(run, first, kase->series_length, true, desk);
 }

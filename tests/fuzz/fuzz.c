@@ -240,9 +240,9 @@ po_case_run *fuzz_run(const char *name) {
 void fuzz_run_reset(po_case_run *run) {
   const size_t count = run->plan->kase->point_count;
   for (size_t i = 0; i < count; ++i) {
-    po_result_clear(&run->results[i]);
-    po_result_clear(&run->traces[i]);
-    run->done[i] = false;
+    po_result_clear(&run->points[i].result);
+    po_result_clear(&run->points[i].trace);
+    run->points[i].done = false;
   }
   po_check_results_clear(&run->check_results);
   po_check_results_clear(&run->measured);

@@ -47,7 +47,8 @@ static void require_same(const char *folder, size_t point) {
   fuzz_run_reset(back);
   fuzz_require(po_journal_read(back, folder) == PO_OK, "a journal cannot be read: %s",
                po_message());
-  fuzz_require(back->done[point], "point %zu was added to a journal and is not found in it", point);
+  fuzz_require(back->points[point].done, "point %zu was added to a journal and is not found in it",
+               point);
   fuzz_require_same_point(run, back, point);
 }
 
@@ -65,7 +66,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_require_message(po_journal_read(run, fuzz_path("run/plain")));
   fuzz_empty(fuzz_path("back/plain"));
   for (size_t i = 0; i < POINTS; ++i) {
-    if (!run->done[i])
+    if (!run->points[i].done)
       continue;
     /* A point that was read, written to a new journal, is read again as the same point. */
     po_status status = po_journal_add(run, i, fuzz_path("back/plain"));
@@ -73,8 +74,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     require_same(fuzz_path("back/plain"), i);
   }
   /* A point that is added to the journal of the input is found in it, however that journal ends. */
-  if (!run->done[0])
-    run->results[0].status = PO_NOT_CONVERGED;
+  if (!run->points[0].done)
+    run->points[0].result.status = PO_NOT_CONVERGED;
   const po_status status = po_journal_add(run, 0, fuzz_path("run/plain"));
   fuzz_require(!status, "a point cannot be added: %s", po_message());
   require_same(fuzz_path("run/plain"), 0);

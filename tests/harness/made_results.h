@@ -18,7 +18,7 @@ static po_point made_points[2];
 static po_case_file made_file;
 static po_case made_case;
 static po_plan made_plan;
-static po_result made_results[2];
+static po_point_run made_results[2];
 static po_case_run made_run;
 
 static inline void make_check(int which, const char *reference, po_ledger ledger,
@@ -50,7 +50,7 @@ static inline void make_run(void) {
                         .points = made_points,
                         .point_count = 2};
   made_plan = (po_plan){.kase = &made_case, .references = made_references};
-  made_run = (po_case_run){.plan = &made_plan, .results = made_results};
+  made_run = (po_case_run){.plan = &made_plan, .points = made_results};
 }
 
 static inline void clear_run(void) {

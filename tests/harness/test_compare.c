@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "made_case.h"
+#include "po_run.h"
 #include "po_wavy_rigid.h"
 #include "run.h"
 
@@ -165,13 +166,14 @@ static const struct {
 
 START_TEST(share_of_the_scenes_solved) {
   load("solved_share", "every_scene", SHARES[_i].tolerance, "abs");
-  po_result results[2] = {{.status = SHARES[_i].first, .reason = "late"},
-                          {.status = SHARES[_i].second}};
-  strcpy(results[1].reason, SHARES[_i].reason);
-  const bool asked[2] = {true, true};
-  ck_assert_int_eq(
-      po_compare_share(kase, asked, &kase->file->checks[0], &reference, results, &check_results),
-      PO_OK);
+  po_point_run points[2] = {
+      {.result = {.status = SHARES[_i].first, .reason = "late"}, .asked = true},
+      {.result.status = SHARES[_i].second, .asked = true}};
+  strcpy(points[1].result.reason, SHARES[_i].reason);
+  po_plan plan = {.kase = kase, .references = &reference};
+  po_case_run run = {.plan = &plan, .points = points};
+  ck_assert_int_eq(po_run_check(&run, NULL), PO_OK);
+  check_results = run.check_results;
   ck_assert_uint_eq(check_results.count, 1);
   ck_assert_double_eq(check_results.items[0].obtained, SHARES[_i].share);
   ck_assert_int_eq(check_results.items[0].verdict, SHARES[_i].verdict);

@@ -119,7 +119,7 @@ START_TEST(a_run_too_large_is_refused) {
   po_plan plan = {.kase = &large};
   po_case_run run;
   ck_assert_int_eq(po_case_run_create(&plan, &run), PO_NO_MEMORY);
-  ck_assert_ptr_null(run.results);
+  ck_assert_ptr_null(run.points);
 }
 END_TEST
 

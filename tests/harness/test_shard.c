@@ -13,12 +13,12 @@ static po_case cases[RUNS] = {{.repeats = 1, .series_length = 1, .point_count = 
                               {.repeats = 3, .series_length = 1, .point_count = TIMED}};
 static po_plan plans[RUNS];
 static po_case_run runs[RUNS];
-static bool asked[RUNS][MOST];
+static po_point_run points[RUNS][MOST];
 
 static void setup(void) {
   for (int r = 0; r < RUNS; ++r) {
     plans[r].kase = &cases[r];
-    runs[r] = (po_case_run){.plan = &plans[r], .asked = asked[r]};
+    runs[r] = (po_case_run){.plan = &plans[r], .points = points[r]};
   }
 }
 
@@ -42,15 +42,15 @@ START_TEST(each_point_is_in_one_shard) {
     for (int r = 0; r < RUNS; ++r) {
       size_t count = 0;
       for (size_t i = 0; i < cases[r].point_count; ++i) {
-        times[r][i] += asked[r][i];
-        count += asked[r][i];
+        times[r][i] += points[r][i].asked;
+        count += points[r][i].asked;
       }
       ck_assert_uint_eq(count, runs[r].asked_count);
     }
     for (size_t i = 0; i < FOLLOWED; ++i)
-      ck_assert_int_eq(asked[1][i], asked[1][i - i % LINE]);
+      ck_assert_int_eq(points[1][i].asked, points[1][i - i % LINE].asked);
     for (size_t i = 0; i < TIMED; ++i)
-      ck_assert_int_eq(asked[2][i], asked[2][0]);
+      ck_assert_int_eq(points[2][i].asked, points[2][0].asked);
   }
   ck_assert_uint_le(most - least, 1);
   for (int r = 0; r < RUNS; ++r)
@@ -67,7 +67,7 @@ START_TEST(no_shard_has_the_dear_end_of_a_sweep) {
     deal(k, VALUES);
     size_t dear = 0;
     for (size_t i = VALUES - 1; i < SWEPT; i += VALUES)
-      dear += asked[0][i];
+      dear += points[0][i].asked;
     ck_assert_uint_ge(dear, 5);
     ck_assert_uint_le(dear, 15);
   }

@@ -11,8 +11,7 @@
 enum { COUNT = 7 };
 
 static po_point points[COUNT + 1];
-static po_result results[COUNT + 1];
-static bool asked[COUNT + 1];
+static po_point_run solved[COUNT + 1];
 
 static void make_seven(void) {
   static const double SECONDS[] = {0.25, 4, 0.5, 2, 0.125, 2, 1, 1e6};
@@ -22,18 +21,17 @@ static void make_seven(void) {
     points[i] = (po_point){.label = (char *)"made", .request = po_request_default()};
     snprintf(points[i].id, sizeof points[i].id, "%zu", i);
     points[i].request.scene.tabor = 2.385 + (double)i;
-    results[i] = (po_result){.work = {.seconds = SECONDS[i], .points = STEPS[i], .nodes = 9 * i}};
-    asked[i] = true;
+    solved[i] = (po_point_run){
+        .result.work = {.seconds = SECONDS[i], .points = STEPS[i], .nodes = 9 * i}, .asked = true};
   }
-  results[2].status = PO_OUT_OF_TIME;
-  results[5].status = PO_NOT_CONVERGED;
-  results[COUNT].status = PO_CHECK_FAILED;
-  snprintf(results[2].reason, sizeof results[2].reason, "time is up");
-  snprintf(results[5].reason, sizeof results[5].reason, "no solution");
+  solved[2].result.status = PO_OUT_OF_TIME;
+  solved[5].result.status = PO_NOT_CONVERGED;
+  solved[COUNT].result.status = PO_CHECK_FAILED;
+  snprintf(solved[2].result.reason, sizeof solved[2].result.reason, "time is up");
+  snprintf(solved[5].result.reason, sizeof solved[5].result.reason, "no solution");
   made_case.points = points;
   made_case.point_count = COUNT;
-  made_run.results = results;
-  made_run.asked = asked;
+  made_run.points = solved;
   made_run.asked_count = COUNT;
 }
 
@@ -103,7 +101,7 @@ END_TEST
 START_TEST(a_part_of_a_run) {
   make_seven();
   for (size_t i = 0; i < COUNT; ++i)
-    asked[i] = i == 0 || i == 4;
+    solved[i].asked = i == 0 || i == 4;
   made_run.asked_count = 2;
   summary_is("made: 2 of 7 points\n"
              "status                  points\n"
@@ -129,7 +127,7 @@ END_TEST
 START_TEST(slowest_of_equals) {
   make_seven();
   for (size_t i = 0; i < COUNT; ++i)
-    results[i].work.seconds = 0.5;
+    solved[i].result.work.seconds = 0.5;
   po_text text = {0};
   po_summary_add(&made_run, &text);
   int lines = 0;
@@ -145,7 +143,7 @@ END_TEST
 START_TEST(only_requested_solves_fail) {
   po_text text = {0};
   make_seven();
-  asked[5] = false;
+  solved[5].asked = false;
   made_run.asked_count = COUNT - 1;
   ck_assert_uint_eq(po_case_run_failures(&made_run), 1);
   po_verdicts_tap(&made_run, 1, &text);

@@ -16,22 +16,19 @@ typedef struct {
 
 static made_parts parts[RUNS];
 static po_case_run runs[RUNS];
-static bool done[RUNS][3], asked[RUNS][3];
+static po_point_run run_points[RUNS][3];
 
 /* A run of three points, of which `done` are solved. */
 static void make_run(size_t which, unsigned repeats, size_t points_done) {
   parts[which] = (made_parts){.kase = {.repeats = repeats, .series_length = 1, .point_count = 3}};
   parts[which].plan.kase = &parts[which].kase;
   runs[which] = (po_case_run){.plan = &parts[which].plan,
-                              .done = done[which],
-                              .asked = asked[which],
+                              .points = run_points[which],
                               .asked_count = 3,
                               .pending = 3 - points_done,
                               .finished = points_done == 3};
-  for (size_t i = 0; i < 3; ++i) {
-    done[which][i] = i < points_done;
-    asked[which][i] = true;
-  }
+  for (size_t i = 0; i < 3; ++i)
+    run_points[which][i] = (po_point_run){.done = i < points_done, .asked = true};
 }
 
 /* Lists the jobs of the first runs and compares them. */
@@ -90,8 +87,9 @@ START_TEST(solvers_alternate) {
 END_TEST
 
 START_TEST(points_are_timed_until_enough) {
-  static const double SHORT[] = {0.03, 0.03, 0.03, 0.02}, LONG[] = {0.08, 0.06, NAN, NAN},
-                      NONE[] = {NAN};
+  static const po_round SHORT[] = {{0.03, 0.03}, {0.03, 0.03}, {0.03, 0.03}, {0.02, 0.02}},
+                        LONG[] = {{0.08, 0.08}, {0.06, 0.06}, {NAN, NAN}, {NAN, NAN}},
+                        NONE[] = {{NAN, NAN}};
   ck_assert(!po_times_are_enough(SHORT, 0));
   ck_assert(!po_times_are_enough(SHORT, 3));
   ck_assert(po_times_are_enough(SHORT, 4));
