@@ -146,6 +146,9 @@ typedef struct {
  * and -; not empty, and not beginning with -. */
 bool po_case_is_name(const char *text);
 
+/* Returned: check number `index`, after the checks the measurements, and after these NULL. */
+const po_check *po_case_check(const po_case_file *file, unsigned index);
+
 /* Reports whether an item of a sweep contains a key or a group. */
 bool po_sweep_names(const po_sweep *sweep, po_key key);
 

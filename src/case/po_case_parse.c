@@ -207,6 +207,13 @@ static po_status check_stand_ins(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
+const po_check *po_case_check(const po_case_file *file, unsigned index) {
+  if (index < file->checks_count)
+    return &file->checks[index];
+  index -= file->checks_count;
+  return index < file->measure_count ? &file->measure[index] : NULL;
+}
+
 static bool concerns_none(const po_case *kase, const po_check *check) {
   for (size_t k = 0; k < kase->point_count; ++k)
     if (po_check_concerns(check, &kase->points[k].request) &&

@@ -41,12 +41,12 @@ void po_check_result_reference(const po_check *check, char name[64]) {
   snprintf(name, 64, "%.*s", (int)(dot ? (size_t)(dot - base) : strlen(base)), base);
 }
 
-static char *make_id(const po_case *kase, size_t point, const po_check *check, const char *suffix) {
+static char *make_id(const po_compare_input *c, const char *suffix) {
   po_text text = {0};
   char reference[64];
-  po_check_result_reference(check, reference);
-  po_text_add(&text, "%s/%s/%s%s%s", check->quantity_text, reference, kase->points[point].label,
-              *suffix ? "/" : "", suffix);
+  po_check_result_reference(c->check, reference);
+  po_text_add(&text, "%s/%s/%s%s%s", c->check->quantity_text, reference,
+              c->kase->points[c->point].label, *suffix ? "/" : "", suffix);
   if (text.failed)
     po_text_clear(&text);
   return text.data;
@@ -71,25 +71,26 @@ static po_verdict judge(const po_check_result *check_result) {
   return fabs(check_result->error) <= check_result->allowance ? PO_WITHIN : PO_OUTSIDE;
 }
 
-po_check_result *po_check_results_add(po_check_results *check_results, const po_case *kase,
-                                      size_t point, const po_check *check, const char *name,
-                                      const char *suffix, double obtained,
-                                      po_reference_number expected) {
+po_check_result *po_compare_add(const po_compare_input *c, const char *name, const char *suffix,
+                                double obtained, po_reference_number expected) {
+  po_check_results *check_results = c->check_results;
   po_check_result *items = po_resize(check_results->items, check_results->count + 1, sizeof *items);
   if (!items)
     return NULL;
   check_results->items = items;
   po_check_result *item = &items[check_results->count];
-  *item = (po_check_result){.point = point,
-                            .check = check,
+  *item = (po_check_result){.point = c->point,
+                            .check = c->check,
+                            .reference = c->reference,
+                            .ledger = c->reference->ledger,
                             .obtained = obtained,
                             .expected = expected.value,
                             .error = obtained - expected.value,
-                            .allowance = po_check_allowance(check, expected.value),
+                            .allowance = po_check_allowance(c->check, expected.value),
                             .uncertainty = expected.uncertainty,
                             .approach = (double)NAN,
                             .load = (double)NAN};
-  item->id = make_id(kase, point, check, suffix);
+  item->id = make_id(c, suffix);
   if (!item->id) {
     po_fail(PO_NO_MEMORY, "no memory for a verdict");
     return NULL;

@@ -34,6 +34,7 @@ typedef struct {
   char quantity[32]; /* "pull_off_force", "fold_approach"... */
   char subject[64];  /* identifies the number in a point, e.g. "fold_approach/jump_in-1"; equal in
                         checks of the same number against different references */
+  const po_reference *reference;
   po_ledger ledger;
   double obtained;       /* NAN: no result, or a curve, which has only an error */
   double expected;       /* NAN: no reference value, or a curve */
@@ -66,14 +67,25 @@ bool po_verdict_is_plain(po_verdict verdict);
  * "reference/feng_pull_off.csv". */
 void po_check_result_reference(const po_check *check, char name[64]);
 
+/* The result of a point and the reference of a check, and the list to which the results of their
+ * comparison are added. */
+typedef struct {
+  const po_case *kase;
+  size_t point;
+  const po_check *check;
+  const po_reference *reference;
+  const po_result *result;
+  const po_result *trace; /* the full trace of the scene, which is the reference `traced` */
+  po_check_results *check_results;
+  po_request request; /* the scene that is looked up in the reference */
+} po_compare_input;
+
 /* Adds the result of the comparison of one number; the tolerance of the check decides the verdict.
  * Given: `name`, the quantity in the results; `suffix`, the end of the id ("" or
  * "jump_in-1/load").
  * Returned: the new item; NULL without memory. */
-po_check_result *po_check_results_add(po_check_results *check_results, const po_case *kase,
-                                      size_t point, const po_check *check, const char *name,
-                                      const char *suffix, double obtained,
-                                      po_reference_number expected);
+po_check_result *po_compare_add(const po_compare_input *c, const char *name, const char *suffix,
+                                double obtained, po_reference_number expected);
 
 void po_check_results_clear(po_check_results *check_results);
 

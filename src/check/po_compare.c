@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_compare_parts.h"
 #include "po_curve.h"
 #include "po_elementary.h"
 #include "po_memory.h"
@@ -27,17 +26,24 @@ double po_compare_obtained(po_quantity quantity, const po_result *result) {
   return po_block_number(&PO_ALL_ROWS, result, po_quantity_of(quantity)->path);
 }
 
-po_check_result *po_compare_add(const po_comparison *c, const char *name, const char *suffix,
-                                double obtained, po_reference_number expected) {
-  return po_check_results_add(c->check_results, c->kase, c->point, c->check, name, suffix, obtained,
-                              expected);
+/* Returned: the value of a quantity of the pull-off in the trace, with its estimated error as the
+ * uncertainty. */
+static po_reference_number traced_number(const po_compare_input *c) {
+  const char *path = strchr(po_quantity_of(c->check->quantity)->path, '.') + 1;
+  const po_row *row = po_block_find(&PO_PULL_OFF_ROWS, NULL, path).row;
+  return (po_reference_number){po_compare_obtained(c->check->quantity, c->trace),
+                               po_block_number(&PO_PULL_OFF_ROWS, c->trace, row->error)};
 }
 
-static po_status compare_single(const po_comparison *c) {
+static po_status compare_single(const po_compare_input *c) {
   const po_quantity quantity = c->check->quantity;
   const po_result *result = c->result;
   po_reference_number expected = UNKNOWN;
-  const po_status status = po_reference_find(c->reference, quantity, &c->request, &expected);
+  po_status status = PO_OK;
+  if (c->reference->type == PO_REFERENCE_TRACED)
+    expected = traced_number(c);
+  else
+    status = po_reference_find(c->reference, quantity, &c->request, &expected);
   if (status && status != PO_NOT_FOUND)
     return status;
   po_check_result *item =
@@ -96,7 +102,7 @@ static po_status compare_planes(const po_result *result, const po_reference_poin
   return status;
 }
 
-static po_status compare_curve(const po_comparison *c) {
+static po_status compare_curve(const po_compare_input *c) {
   po_reference_point *theirs = NULL;
   size_t count = 0;
   po_curve_verdict found = {0};
@@ -151,12 +157,18 @@ static void explain_no_reverse_trace(po_check_result *item, const po_result *res
              result->fold_count, w->folds, result->extremum_count, w->extrema);
 }
 
-/* Writes the reason into the note if nothing was compared. */
-static void explain_no_comparison(po_check_result *item, const po_comparison *c) {
+/* Writes the reason into the note if nothing was compared, or if the scene was traced twice. */
+static void explain_no_comparison(po_check_result *item, const po_compare_input *c) {
   const po_reference *reference = c->reference;
   const po_result *result = c->result;
   const size_t size = sizeof item->note;
-  if (item->verdict == PO_NO_RESULT && result->status)
+  const bool traced = reference->type == PO_REFERENCE_TRACED;
+  if (traced && c->trace->status)
+    snprintf(item->note, size, "the trace failed: %.160s", c->trace->reason);
+  else if (traced && !result->status)
+    snprintf(item->note, size, "%s",
+             result->followed ? "" : "not computed by continuation: the scene was traced");
+  else if ((traced || item->verdict == PO_NO_RESULT) && result->status)
     snprintf(item->note, size, "%.190s", result->reason);
   else if (item->verdict == PO_NO_RESULT && strcmp(item->quantity, "reverse_trace") == 0)
     explain_no_reverse_trace(item, result);
@@ -176,7 +188,7 @@ static void explain_no_comparison(po_check_result *item, const po_comparison *c)
 }
 
 /* Compares each counter of work with its pin. */
-static po_status compare_work(const po_comparison *c) {
+static po_status compare_work(const po_compare_input *c) {
   for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter) {
     char pin[PO_PIN_NAME_LENGTH], name[PO_PIN_NAME_LENGTH];
     po_reference_number expected = {(double)NAN, 0};
@@ -241,7 +253,7 @@ static size_t count_up_to(const point_list *list, size_t found, double end) {
 }
 
 /* Finds both lists over the common range. */
-static po_status find_lists(const po_comparison *c, bool folds, point_lists *l) {
+static po_status find_lists(const po_compare_input *c, bool folds, point_lists *l) {
   const po_result *result = c->result;
   *l = (point_lists){.solved = result->status == PO_OK};
   po_status status = folds ? take_ours(result->folds, result->fold_count, &l->ours)
@@ -301,7 +313,7 @@ static void describe_difference(const point_lists *l, char *note, size_t size) {
              named->load, l->ours.count, l->theirs.count);
 }
 
-static po_status add_pairs(const po_comparison *c, const point_lists *l) {
+static po_status add_pairs(const po_compare_input *c, const point_lists *l) {
   static const char *const NAMES[2][2] = {{"extremum_approach", "extremum_load"},
                                           {"fold_approach", "fold_load"}};
   for (size_t i = 0; i < l->ours.count; ++i)
@@ -325,7 +337,7 @@ static po_status add_pairs(const po_comparison *c, const point_lists *l) {
 
 /* Compares folds or extrema: their number and kinds, and, if these agree, approach and load of
  * each. Status: as po_compare. */
-static po_status compare_special_points(const po_comparison *c) {
+static po_status compare_special_points(const po_compare_input *c) {
   const bool count_only = c->check->quantity == PO_FOLD_COUNT;
   const bool folds = c->check->quantity != PO_EXTREMA;
   point_lists l;
@@ -351,29 +363,21 @@ static po_status compare_special_points(const po_comparison *c) {
   return status;
 }
 
-po_status po_compare(const po_case *kase, size_t point, const po_check *check,
-                     const po_reference *reference, const po_result *result,
-                     po_check_results *check_results) {
-  if (reference->type == PO_REFERENCE_ABSENT ||
-      !po_check_concerns(check, &kase->points[point].request))
+po_status po_compare(const po_compare_input *comparison) {
+  po_compare_input c = *comparison;
+  const po_check *check = c.check;
+  const po_request *request = &c.kase->points[c.point].request;
+  if (c.reference->type == PO_REFERENCE_ABSENT || !po_check_concerns(check, request))
     return PO_OK;
-  const size_t before = check_results->count;
-  const po_comparison c = {kase,
-                           point,
-                           check,
-                           reference,
-                           result,
-                           check_results,
-                           po_check_request(check, &kase->points[point].request)};
-  const po_status status = is_single(check->quantity, reference)   ? compare_single(&c)
+  const size_t before = c.check_results->count;
+  c.request = po_check_request(check, request);
+  const po_status status = is_single(check->quantity, c.reference) ? compare_single(&c)
                            : check->quantity == PO_CURVE           ? compare_curve(&c)
                            : check->quantity == PO_JUMPS           ? po_compare_jumps(&c)
                            : po_quantity_is_steps(check->quantity) ? po_compare_steps(&c)
                            : check->quantity == PO_WORK            ? compare_work(&c)
                                                                    : compare_special_points(&c);
-  for (size_t i = before; i < check_results->count; ++i) {
-    check_results->items[i].ledger = reference->ledger;
-    explain_no_comparison(&check_results->items[i], &c);
-  }
+  for (size_t i = before; i < c.check_results->count; ++i)
+    explain_no_comparison(&c.check_results->items[i], &c);
   return status;
 }

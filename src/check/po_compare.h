@@ -8,12 +8,23 @@
  */
 double po_compare_obtained(po_quantity quantity, const po_result *result);
 
-/* Compares the result of one point with the reference of one check, and adds the results. A result
+/* Compares the result of one point with the reference of one check, unless the check does not apply
+ * to the point, and adds the results. Given: all members but the request. A result
  * without the quantity, or a reference without the scene, leads to a verdict, not to a status.
  * Status: PO_CANNOT_READ (the reference lacks a column), PO_NO_MEMORY. */
-po_status po_compare(const po_case *kase, size_t point, const po_check *check,
-                     const po_reference *reference, const po_result *result,
-                     po_check_results *check_results);
+po_status po_compare(const po_compare_input *comparison);
+
+/* The parts of po_compare for jumps and steps. */
+
+/* Compares the jumps of loading and unloading at given approach: their number, and, if it agrees,
+ * the approach, the load before and after, and the energy lost of each. Status: as po_compare. */
+po_status po_compare_jumps(const po_compare_input *c);
+
+/* Compares the steps of the staircase at given approach or at given load, over the range of preload
+ * that result and table share: their number, and, if it agrees, the preload at which each step
+ * begins, force and approach of its pull-off, and (at given approach) the energy lost. Status: as
+ * po_compare. */
+po_status po_compare_steps(const po_compare_input *c);
 
 /* Refuses a tolerance that is smaller than the uncertainty of the reference: an error of the
  * reference could make such a check fail or pass. Status: PO_BAD_INPUT with the line of the

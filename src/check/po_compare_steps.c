@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "po_compare.h"
-#include "po_compare_parts.h"
 
 /* A number in a row of a table: its column, and its quantity in the results. */
 typedef struct {
@@ -57,7 +56,7 @@ static const char *driven_column(po_quantity quantity) {
 
 /* The row of item number `index` of a scene in a table that may have several; the number of rows of
  * the table if there is none. */
-static size_t row_of(const po_comparison *c, size_t index) {
+static size_t row_of(const po_compare_input *c, size_t index) {
   size_t row = 0;
   while (po_reference_next_row(c->reference, &c->request, &row) && index-- > 0)
     ++row;
@@ -65,7 +64,7 @@ static size_t row_of(const po_comparison *c, size_t index) {
 }
 
 /* The number of items of a scene. */
-static size_t row_count_of(const po_comparison *c) {
+static size_t row_count_of(const po_compare_input *c) {
   size_t count = 0;
   for (size_t row = 0; po_reference_next_row(c->reference, &c->request, &row); ++row)
     ++count;
@@ -75,7 +74,7 @@ static size_t row_count_of(const po_comparison *c) {
 /* Adds a result for each compared number of a row.
  * Given: `subject`, the name of the item ("loading-1"); `where`, its place on the curve.
  * Status: PO_CANNOT_READ (a column is missing or does not hold a number), PO_NO_MEMORY. */
-static po_status add_row(const po_comparison *c, size_t row, const char *subject,
+static po_status add_row(const po_compare_input *c, size_t row, const char *subject,
                          const double *obtained, po_path_state where) {
   size_t count = 0;
   const number_column *columns = compared_numbers(c->check->quantity, c->reference, &count);
@@ -116,7 +115,7 @@ static po_status rows_uncertainty(po_quantity quantity, const po_reference *refe
 
 /* Returned: the greatest approach (or load) up to which the table lists all steps of a scene; NAN:
  * the table has no column complete_to, or no row for the scene. */
-static double table_reach(const po_comparison *c) {
+static double table_reach(const po_compare_input *c) {
   size_t row = 0;
   po_reference_number number = {(double)NAN, 0};
   if (po_reference_next_row(c->reference, &c->request, &row) &&
@@ -133,7 +132,7 @@ static size_t count_ours(po_quantity quantity, const po_staircase *ours, double 
 }
 
 /* Counts the rows whose steps begin within the range of loading, up to `reach`. */
-static size_t count_theirs(const po_comparison *c, double reach, po_status *status) {
+static size_t count_theirs(const po_compare_input *c, double reach, po_status *status) {
   const char *column = driven_column(c->check->quantity);
   size_t count = 0;
   for (size_t row = 0; !*status && po_reference_next_row(c->reference, &c->request, &row); ++row) {
@@ -144,7 +143,7 @@ static size_t count_theirs(const po_comparison *c, double reach, po_status *stat
   return count;
 }
 
-static po_status add_step(const po_comparison *c, const po_step *step, size_t index) {
+static po_status add_step(const po_compare_input *c, const po_step *step, size_t index) {
   const double obtained[NUMBER_COUNT] = {step->preload.approach, step->preload.load,
                                          -step->pull_off.load, step->pull_off.approach,
                                          step->cycle[0].loss.energy};
@@ -154,7 +153,7 @@ static po_status add_step(const po_comparison *c, const po_step *step, size_t in
                  step->pull_off);
 }
 
-po_status po_compare_steps(const po_comparison *c) {
+po_status po_compare_steps(const po_compare_input *c) {
   const po_quantity quantity = c->check->quantity;
   const po_staircase *ours = &c->result->staircase.of[quantity == PO_LOAD_STEPS];
   const bool solved = c->result->status == PO_OK && c->result->has_staircases;
@@ -184,7 +183,7 @@ static const char *phase_of(const po_jump *jump) {
   return jump->loading ? "loading" : "unloading";
 }
 
-static bool phases_agree(const po_comparison *c, const po_loop *loop, size_t column) {
+static bool phases_agree(const po_compare_input *c, const po_loop *loop, size_t column) {
   for (size_t k = 0; k < loop->jump_count; ++k)
     if (strcmp(po_csv_cell(&c->reference->table, row_of(c, k), column),
                phase_of(&loop->jumps[k])) != 0)
@@ -192,7 +191,7 @@ static bool phases_agree(const po_comparison *c, const po_loop *loop, size_t col
   return true;
 }
 
-static po_status add_jump(const po_comparison *c, const po_loop *loop, size_t index) {
+static po_status add_jump(const po_compare_input *c, const po_loop *loop, size_t index) {
   const po_jump *jump = &loop->jumps[index];
   const double obtained[NUMBERS_OF_JUMP] = {jump->before.approach, jump->before.load,
                                             jump->after.load, jump->energy_lost};
@@ -202,7 +201,7 @@ static po_status add_jump(const po_comparison *c, const po_loop *loop, size_t in
   return add_row(c, row_of(c, index), subject, obtained, jump->before);
 }
 
-po_status po_compare_jumps(const po_comparison *c) {
+po_status po_compare_jumps(const po_compare_input *c) {
   const po_csv *table = &c->reference->table;
   const po_loop *loop = &c->result->hysteresis.displacement;
   const bool solved = c->result->status == PO_OK && c->result->has_hysteresis;

@@ -116,12 +116,12 @@ static bool is_worse(const po_check_result *item, const po_check_result *than) {
   return isfinite(than->ratio) && !(item->ratio <= than->ratio);
 }
 
-static void add_result(const po_case_run *run, const po_check_result *item, po_text *text) {
+static void add_result(const po_check_result *item, po_text *text) {
   po_text_add(text, "%s", po_verdict_name(item->verdict));
   if (isfinite(item->ratio) && !(item->verdict == PO_OUTSIDE && item->ratio <= 1))
     po_text_add(text, ", %.4g times the tolerance", item->ratio);
-  po_text_add(text, " (%s)%s%s", po_plan_reference_of(run->plan, item->check),
-              item->note[0] ? ": " : "", item->note);
+  po_text_add(text, " (%s)%s%s", po_reference_shown(item->reference), item->note[0] ? ": " : "",
+              item->note);
 }
 
 /* What does not pass of one check of a case (NULL: the solves that failed): how many, the worst
@@ -140,7 +140,7 @@ static void add_check(const po_case_run *run, const po_check *check, const char 
   po_text_add(text, "%s %s, %s: ", po_plan_name(run->plan), check ? item->subject : "solve",
               label_of(&worst));
   if (check)
-    add_result(run, item, text);
+    add_result(item, text);
   else
     po_text_add(text, "failed: %s", run->points[worst.point].result.reason);
   if (count > 1)

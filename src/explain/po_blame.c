@@ -55,7 +55,7 @@ static other_results collect(const po_check_results *check_results, const po_che
  */
 static void blame_frozen(const po_case_run *run, const po_check_result *item, po_blame *blame) {
   const po_plan *plan = run->plan;
-  const po_reference *oracle = &plan->references[item->check - plan->kase->file->checks];
+  const po_reference *oracle = item->reference;
   const po_reference *pins = NULL;
   for (unsigned c = 0; c < plan->kase->file->checks_count; ++c)
     if (plan->references[c].type == PO_REFERENCE_PINS)

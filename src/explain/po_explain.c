@@ -176,9 +176,9 @@ static void set_commands(commands c, json_t **object) {
   po_json_set(object, "compare", c.compare ? po_json_take_text(c.compare) : json_null());
 }
 
-static void explain_numbers(const po_case_run *run, const po_check_result *item, po_text *text) {
+static void explain_numbers(const po_check_result *item, po_text *text) {
   const po_check *check = item->check;
-  const char *reference = po_plan_reference_of(run->plan, check);
+  const char *reference = po_reference_shown(item->reference);
   if (isfinite(item->obtained))
     po_text_add(text, "  obtained   %.12g\n", item->obtained);
   if (isfinite(item->expected))
@@ -201,7 +201,7 @@ static void explain_item(const po_case_run *run, const po_check_result *item, co
   po_blame_find(run, item, &blame);
   po_text_add(text, "%s %s %s: %s\n", po_plan_name(run->plan), item->subject,
               item->whole ? "-" : kase->points[item->point].label, po_verdict_name(item->verdict));
-  explain_numbers(run, item, text);
+  explain_numbers(item, text);
   if (isfinite(item->approach)) {
     po_place_describe(&run->points[item->point].result, item->approach, item->load, place);
     po_text_add(text, "  where      approach %.6g, load %.6g%s%s\n", item->approach, item->load,
@@ -259,7 +259,7 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item, co
       {"error", po_json_number(item->error)}, {"ratio", po_json_number(item->ratio)},
       {"tolerance", po_json_number(check->tolerance)}, {"kind", po_json_text(check->kind_text)},
       {"reference_uncertainty", po_json_number(item->uncertainty)},
-      {"reference", po_json_text(po_plan_reference_of(run->plan, check))}, {"where", where},
+      {"reference", po_json_text(po_reference_shown(item->reference))}, {"where", where},
       {"fault", po_json_text(blame.side)}, {"why", po_json_text(blame.why)},
       {"because", po_json_text(check->because)}, {"note", po_json_text(item->note)});
   set_commands(commands_of_item(run, item, output), &object);

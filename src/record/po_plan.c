@@ -17,14 +17,6 @@ po_request po_plan_request(const po_plan *plan, size_t point) {
   return request;
 }
 
-const char *po_plan_reference_of(const po_plan *plan, const po_check *check) {
-  const po_case_file *file = plan->kase->file;
-  for (unsigned i = 0; i < file->measure_count; ++i)
-    if (check == &file->measure[i])
-      return check->reference;
-  return po_reference_shown(&plan->references[check - file->checks]);
-}
-
 /* The quantities of loading and unloading. */
 static const unsigned HYSTERESIS = 1U << PO_HYSTERESIS_FORCE | 1U << PO_HYSTERESIS_APPROACH |
                                    1U << PO_HYSTERESIS_LOSS | 1U << PO_JUMPS;
@@ -74,10 +66,9 @@ unsigned po_plan_asked(const po_plan *plan) {
     asked |= 1U << PO_CURVE;
   if (kase->want & PO_WANT_HYSTERESIS)
     asked |= HYSTERESIS;
-  for (unsigned i = 0; i < kase->file->checks_count; ++i)
-    asked |= 1U << kase->file->checks[i].quantity;
-  for (unsigned i = 0; i < kase->file->measure_count; ++i)
-    asked |= 1U << kase->file->measure[i].quantity;
+  const po_check *check;
+  for (unsigned i = 0; (check = po_case_check(kase->file, i)) != NULL; ++i)
+    asked |= 1U << check->quantity;
   return asked & plan->solver->quantities;
 }
 
@@ -91,15 +82,12 @@ static const unsigned WANTS[] = {[PO_OF_LOOP] = PO_WANT_HYSTERESIS,
 static void decide(po_plan *plan) {
   const po_case *kase = plan->kase;
   plan->want = kase->want & ((1U << PO_WANT_COUNT) - 1);
-  for (unsigned i = 0; i < kase->file->checks_count; ++i) {
-    const po_quantity quantity = kase->file->checks[i].quantity;
-    if (quantity == PO_CURVE && plan->references[i].type != PO_REFERENCE_ABSENT)
+  const po_check *check;
+  for (unsigned i = 0; (check = po_case_check(kase->file, i)) != NULL; ++i) {
+    if (check->quantity == PO_CURVE && plan->references[i].type != PO_REFERENCE_ABSENT)
       plan->want |= PO_WANT_CURVE;
-    plan->want |= WANTS[po_quantity_of(quantity)->family];
+    plan->want |= WANTS[po_quantity_of(check->quantity)->family];
   }
-  for (unsigned i = 0; i < kase->file->measure_count; ++i)
-    if (kase->file->measure[i].quantity == PO_CURVE)
-      plan->want |= PO_WANT_CURVE;
   if (plan->solver) {
     const unsigned asked = po_plan_asked(plan);
     plan->want &= (asked & (1U << PO_CURVE) ? PO_WANT_CURVE : 0U) |
@@ -157,11 +145,12 @@ static po_status reference_open_check(const char *data_folder, const po_check *c
 }
 
 static po_status open_check(const po_plan *plan, const char *data_folder, const po_check *check,
-                            bool measure, po_reference *reference) {
+                            po_reference *reference) {
+  if (check->type == PO_REFERENCE_PINS)
+    return po_pins_open(plan->kase, check->reference, plan->solver ? plan->solver->name : NULL,
+                        reference);
   char *folder = folder_for(plan->kase, data_folder, check->reference);
-  po_status status = !folder   ? PO_NO_MEMORY
-                     : measure ? po_reference_open(folder, check->reference, reference)
-                               : reference_open_check(folder, check, reference);
+  po_status status = folder ? reference_open_check(folder, check, reference) : PO_NO_MEMORY;
   free(folder);
   if (!status && plan->kase->is_physical && reference->type == PO_REFERENCE_TABLE)
     status = po_reference_use_units(reference, &plan->kase->units);
@@ -170,22 +159,16 @@ static po_status open_check(const po_plan *plan, const char *data_folder, const 
 
 static po_status open_references(po_plan *plan, const char *data_folder) {
   const po_case_file *file = plan->kase->file;
-  plan->references = po_allocate(file->checks_count, sizeof *plan->references);
-  plan->measures = po_allocate(file->measure_count, sizeof *plan->measures);
-  if (!plan->references || !plan->measures)
-    return PO_NO_MEMORY;
-  po_status status = PO_OK;
-  for (unsigned i = 0; !status && i < file->checks_count; ++i) {
-    const po_check *check = &file->checks[i];
-    status = check->type == PO_REFERENCE_PINS
-                 ? po_pins_open(plan->kase, check->reference,
-                                plan->solver ? plan->solver->name : NULL, &plan->references[i])
-                 : open_check(plan, data_folder, check, false, &plan->references[i]);
-    if (!status && plan->references[i].type != PO_REFERENCE_ABSENT)
-      status = po_compare_check_tolerance(plan->kase, check, i + 1, &plan->references[i]);
+  const po_check *check;
+  plan->references =
+      po_allocate(file->checks_count + file->measure_count, sizeof *plan->references);
+  po_status status = plan->references ? PO_OK : PO_NO_MEMORY;
+  for (unsigned i = 0; !status && (check = po_case_check(file, i)) != NULL; ++i) {
+    po_reference *reference = &plan->references[i];
+    status = open_check(plan, data_folder, check, reference);
+    if (!status && i < file->checks_count && reference->type != PO_REFERENCE_ABSENT)
+      status = po_compare_check_tolerance(plan->kase, check, i + 1, reference);
   }
-  for (unsigned i = 0; !status && i < file->measure_count; ++i)
-    status = open_check(plan, data_folder, &file->measure[i], true, &plan->measures[i]);
   return status;
 }
 
@@ -204,10 +187,8 @@ static po_status make_keys(po_plan *plan) {
     free(command);
   }
   po_digest_bytes(po_text_string(&text), text.length, plan->solve_key);
-  for (unsigned i = 0; i < kase->file->checks_count; ++i)
+  for (unsigned i = 0; po_case_check(kase->file, i); ++i)
     po_text_add(&text, "%s|", plan->references[i].digest);
-  for (unsigned i = 0; i < kase->file->measure_count; ++i)
-    po_text_add(&text, "%s|", plan->measures[i].digest);
   po_text_add_bytes(&text, kase->source, kase->source_size);
   po_digest_bytes(po_text_string(&text), text.length, plan->key);
   const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
@@ -256,12 +237,9 @@ po_status po_plan_create(const po_case *kase, const char *data_folder, const po_
 void po_plan_destroy(po_plan *plan) {
   if (!plan)
     return;
-  for (unsigned i = 0; plan->references && i < plan->kase->file->checks_count; ++i)
+  for (unsigned i = 0; plan->references && po_case_check(plan->kase->file, i); ++i)
     po_reference_close(&plan->references[i]);
-  for (unsigned i = 0; plan->measures && i < plan->kase->file->measure_count; ++i)
-    po_reference_close(&plan->measures[i]);
   free(plan->references);
-  free(plan->measures);
   for (size_t i = 0; i < plan->line_count; ++i)
     free(plan->lines[i]);
   free(plan->lines);

@@ -12,8 +12,7 @@ typedef struct {
   const po_case *kase;
   const po_solver *solver;  /* that computes the results; NULL: this program */
   char *name;               /* in printed lines: of the case, or "SOLVER:CASE"; see po_plan_name */
-  po_reference *references; /* one a check, open */
-  po_reference *measures;   /* one a measurement, open */
+  po_reference *references; /* one a check, then one a measurement (po_case_check), open */
   unsigned want;            /* bit set of PO_WANT_..., for every point */
   char **lines;             /* what po_plan_describe says of it; none before */
   size_t line_count;
@@ -41,16 +40,12 @@ void po_plan_add_solver(const po_plan *plan, po_text *text);
 /* Adds the command that asks an external solver for one point again and prints its verdicts. */
 void po_plan_add_rerun(const po_plan *plan, size_t point, po_text *text);
 
-/* Reports whether a check is made: an external solver computes its quantity, and has pins if it is
- * a check against pins. Every check is made on results of this program. */
+/* Reports whether a check or a measurement is made: an external solver computes its quantity, and
+ * has pins if it is a check against pins. Every check is made on results of this program. */
 bool po_plan_covers(const po_plan *plan, const po_check *check);
 
 /* Returned: the quantities that an external solver is asked for: bit set of 1 << po_quantity. */
 unsigned po_plan_asked(const po_plan *plan);
-
-/* Returned: the reference of a check or a measurement, as a path or a name:
- * "reference/feng_pull_off.csv", "bradley", "cases/pins/smoke.csv". */
-const char *po_plan_reference_of(const po_plan *plan, const po_check *check);
 
 /* Returned: the request of a point, with the results that the plan needs. */
 po_request po_plan_request(const po_plan *plan, size_t point);

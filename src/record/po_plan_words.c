@@ -199,7 +199,8 @@ static void tell_measures(po_plan *plan) {
   for (unsigned i = 0; i < kase->file->measure_count; ++i) {
     const po_check *measure = &kase->file->measure[i];
     size_t concerned = 0, covered = 0;
-    count_points(kase, measure, &plan->measures[i], &concerned, &covered);
+    count_points(kase, measure, &plan->references[kase->file->checks_count + i], &concerned,
+                 &covered);
     say(plan, "measure the error of %s against %s at %zu of %zu points, without a verdict",
         measure->quantity_text, measure->reference, concerned, kase->point_count);
     if (covered < concerned)

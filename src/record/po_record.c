@@ -84,7 +84,7 @@ static json_t *check_json(const po_case_run *run, const po_check_result *item) {
       {"verdict", po_json_text(po_verdict_name(item->verdict))},
       {"passes", po_json_flag(po_verdict_passes(item->verdict))},
       {"note", po_json_text(item->note)},
-      {"reference", po_json_text(po_plan_reference_of(run->plan, check))},
+      {"reference", po_json_text(po_reference_shown(item->reference))},
       {"because", po_json_text(check->because)}, {"command", command_json("verify", run->plan)});
 }
 
@@ -106,7 +106,7 @@ static json_t *measure_json(const po_case_run *run, const po_check_result *item)
       {"error", po_json_number(item->error)},
       {"reference_uncertainty", po_json_number(item->uncertainty)},
       {"outcome", po_json_text(measured_as(item->verdict))}, {"note", po_json_text(item->note)},
-      {"reference", po_json_text(po_plan_reference_of(run->plan, item->check))});
+      {"reference", po_json_text(po_reference_shown(item->reference))});
 }
 
 static json_t *conditions(const po_leave_out *rule) {

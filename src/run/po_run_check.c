@@ -7,7 +7,6 @@
 #include "po_judge.h"
 #include "po_memory.h"
 #include "po_observe.h"
-#include "po_result_rows.h"
 #include "po_run.h"
 
 /* Reports whether the results of a point are compared: it is requested, and an external solver was
@@ -105,10 +104,6 @@ static po_status judge_solver(po_case_run *run, const volatile sig_atomic_t *sto
   return solver->unstable ? PO_OK : judge_reach(run, stop);
 }
 
-static bool is_measured(const po_case_run *run, const po_check *measure) {
-  return !run->plan->solver || po_solver_computes(run->plan->solver, measure->quantity);
-}
-
 /* Compares the share of solved points with 1, and adds one result for the case. The share refers to
  * the compared points to which the check applies. If a failure has no reason, the verdict is
  * outside, whatever the share. Status: PO_NO_MEMORY. */
@@ -130,10 +125,14 @@ static po_status compare_share(po_case_run *run, const po_check *check,
   }
   if (!concerned)
     return PO_OK;
-  const po_reference_number expected = {1, (double)NAN};
-  po_check_result *item = po_check_results_add(&run->check_results, kase, example, check,
-                                               po_quantity_of(check->quantity)->name, "",
-                                               (double)solved / (double)concerned, expected);
+  const po_compare_input c = {.kase = kase,
+                              .point = example,
+                              .check = check,
+                              .reference = reference,
+                              .check_results = &run->check_results};
+  po_check_result *item =
+      po_compare_add(&c, po_quantity_of(check->quantity)->name, "",
+                     (double)solved / (double)concerned, (po_reference_number){1, (double)NAN});
   char *id = po_copy_text("solved_share/every_scene");
   if (!item || !id) {
     free(id);
@@ -142,7 +141,6 @@ static po_status compare_share(po_case_run *run, const po_check *check,
   free(item->id);
   item->id = id;
   item->whole = true;
-  item->ledger = reference->ledger;
   if (without_reason) {
     item->verdict = PO_OUTSIDE;
     snprintf(item->note, sizeof item->note, "%zu of %zu failures have no reason", without_reason,
@@ -154,70 +152,29 @@ static po_status compare_share(po_case_run *run, const po_check *check,
   return PO_OK;
 }
 
-/* Returned: the value of a quantity of the pull-off in the trace, with its estimated error as the
- * uncertainty. */
-static po_reference_number number_of(const po_check *check, const po_result *trace) {
-  const char *path = strchr(po_quantity_of(check->quantity)->path, '.') + 1;
-  const po_row *row = po_block_find(&PO_PULL_OFF_ROWS, NULL, path).row;
-  return (po_reference_number){po_compare_obtained(check->quantity, trace),
-                               po_block_number(&PO_PULL_OFF_ROWS, trace, row->error)};
-}
-
-/* Compares the pull-off that parameter continuation found with that of the full trace, and adds one
- * result for each requested point that is traced in addition. Status: PO_NO_MEMORY. */
-static po_status compare_traced(po_case_run *run, const po_check *check,
-                                const po_reference *reference) {
-  const po_case *kase = run->plan->kase;
-  for (size_t i = 0; i < kase->point_count; ++i) {
-    const po_result *result = &run->points[i].result, *trace = &run->points[i].trace;
-    if (!run->points[i].asked || !kase->points[i].traced ||
-        !po_check_concerns(check, &kase->points[i].request))
-      continue;
-    po_check_result *item = po_check_results_add(
-        &run->check_results, kase, i, check, po_quantity_of(check->quantity)->name, "",
-        po_compare_obtained(check->quantity, result), number_of(check, trace));
-    if (!item)
-      return PO_NO_MEMORY;
-    item->ledger = reference->ledger;
-    if (result->has_pull_off) {
-      item->approach = result->pull_off.approach;
-      item->load = -result->pull_off.force;
-    }
-    if (trace->status)
-      snprintf(item->note, sizeof item->note, "the trace failed: %.160s", trace->reason);
-    else if (result->status)
-      snprintf(item->note, sizeof item->note, "%.190s", result->reason);
-    else if (!result->followed)
-      snprintf(item->note, sizeof item->note, "not computed by continuation: the scene was traced");
-  }
-  return PO_OK;
-}
-
 po_status po_run_check(po_case_run *run, const volatile sig_atomic_t *stop) {
   const po_case *kase = run->plan->kase;
+  const po_check *check;
   po_status status = PO_OK;
-  for (unsigned c = 0; !status && c < kase->file->checks_count; ++c) {
-    const po_check *check = &kase->file->checks[c];
+  for (unsigned c = 0; !status && (check = po_case_check(kase->file, c)) != NULL; ++c) {
     if (!po_plan_covers(run->plan, check))
       continue;
-    if (check->quantity == PO_SOLVED_SHARE) {
-      status = compare_share(run, check, &run->plan->references[c]);
-      continue;
-    }
-    if (check->type == PO_REFERENCE_TRACED) {
-      status = compare_traced(run, check, &run->plan->references[c]);
-      continue;
-    }
-    for (size_t i = 0; !status && i < kase->point_count; ++i)
-      if (is_judged(run, i))
-        status = po_compare(kase, i, check, &run->plan->references[c], &run->points[i].result,
-                            &run->check_results);
+    const po_reference *reference = &run->plan->references[c];
+    if (check->quantity == PO_SOLVED_SHARE)
+      status = compare_share(run, check, reference);
+    else
+      for (size_t i = 0; !status && i < kase->point_count; ++i)
+        if (is_judged(run, i) && (kase->points[i].traced || check->type != PO_REFERENCE_TRACED))
+          status = po_compare(&(po_compare_input){.kase = kase,
+                                                  .point = i,
+                                                  .check = check,
+                                                  .reference = reference,
+                                                  .result = &run->points[i].result,
+                                                  .trace = &run->points[i].trace,
+                                                  .check_results = c < kase->file->checks_count
+                                                                       ? &run->check_results
+                                                                       : &run->measured});
   }
-  for (unsigned m = 0; !status && m < kase->file->measure_count; ++m)
-    for (size_t i = 0; !status && i < kase->point_count; ++i)
-      if (is_judged(run, i) && is_measured(run, &kase->file->measure[m]))
-        status = po_compare(kase, i, &kase->file->measure[m], &run->plan->measures[m],
-                            &run->points[i].result, &run->measured);
   if (!status)
     po_judge(&run->check_results);
   return !status && run->plan->solver ? judge_solver(run, stop) : status;

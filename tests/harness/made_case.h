@@ -79,8 +79,9 @@ static inline void load(const char *quantity, const char *name, const char *tole
 }
 
 static inline void compare(size_t point, const po_result *result) {
-  ck_assert_int_eq(
-      po_compare(kase, point, &kase->file->checks[0], &reference, result, &check_results), PO_OK);
+  ck_assert_int_eq(po_compare(&(po_compare_input){kase, point, &kase->file->checks[0], &reference,
+                                                  result, NULL, &check_results}),
+                   PO_OK);
 }
 
 #endif

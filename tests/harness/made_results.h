@@ -60,11 +60,13 @@ static inline void clear_run(void) {
 /* Adds the result of one check. Returned: its index among the results. */
 static inline size_t found(int which, size_t point, const char *name, const char *suffix,
                            double obtained, double expected, double uncertainty) {
-  po_check_result *item =
-      po_check_results_add(&made_run.check_results, &made_case, point, &made_checks[which], name,
-                           suffix, obtained, (po_reference_number){expected, uncertainty});
-  ck_assert_ptr_nonnull(item);
-  item->ledger = made_references[which].ledger;
+  const po_compare_input c = {.kase = &made_case,
+                              .point = point,
+                              .check = &made_checks[which],
+                              .reference = &made_references[which],
+                              .check_results = &made_run.check_results};
+  ck_assert_ptr_nonnull(
+      po_compare_add(&c, name, suffix, obtained, (po_reference_number){expected, uncertainty}));
   return made_run.check_results.count - 1;
 }
 

@@ -71,7 +71,8 @@ START_TEST(jumps_of_no_phase) {
   load("jumps", "table.csv", "1e-3", "abs");
   kase->points[0].request.preload.approach = 0.7;
   const po_result result = loop_of(JUMPS, 2);
-  ck_assert_int_eq(po_compare(kase, 0, &kase->file->checks[0], &reference, &result, &check_results),
+  ck_assert_int_eq(po_compare(&(po_compare_input){kase, 0, &kase->file->checks[0], &reference,
+                                                  &result, NULL, &check_results}),
                    PO_CANNOT_READ);
   ck_assert_ptr_nonnull(strstr(po_message(), "the column phase is missing"));
 }
