@@ -47,7 +47,7 @@ bool po_quantity_is(po_quantity quantity, po_quantity_family family) {
 }
 
 bool po_quantity_is_steps(po_quantity quantity) {
-  return quantity == PO_STEPS || quantity == PO_LOAD_STEPS;
+  return quantity == PO_JUMPS || quantity == PO_STEPS || quantity == PO_LOAD_STEPS;
 }
 
 bool po_check_concerns(const po_check *check, const po_request *request) {

@@ -1,13 +1,37 @@
 /* Checks as a case file states them: which quantity is compared with which reference, and with
- * which tolerance. */
+ * which tolerance. Axes: a key of the scene and a list of its values, of which sweeps and the
+ * conditions of checks consist. */
 #ifndef PO_CHECK_H
 #define PO_CHECK_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "po_axis.h"
 #include "po_request.h"
+
+/* A value of an axis as a number. A name, such as that of a scheme, is represented by its place in
+ * the list of names. */
+typedef struct {
+  double number;
+  unsigned index; /* of the value in po_axis.values */
+} po_axis_value;
+
+/* A key and its values as written; or from, to, count and scale, from which po_axis_fill computes
+ * the values. */
+typedef struct {
+  char *key;
+  char **values;
+  unsigned values_count;
+  char *from_text;
+  char *to_text;
+  char *count_text;
+  char *scale;              /* "log" or "linear"; NULL: linear */
+  po_axis_value *ascending; /* the values sorted by number; NULL: not checked yet */
+} po_axis;
+
+/* Reports whether a scene fulfils all conditions of a list: for each axis, the value of the key is
+ * one of those of the axis. */
+bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request);
 
 typedef enum {
   PO_PULL_OFF_FORCE,
@@ -100,7 +124,7 @@ typedef struct {
 const po_quantity_row *po_quantity_of(po_quantity quantity);
 
 bool po_quantity_is(po_quantity quantity, po_quantity_family family);
-/* Reports whether a quantity is a list of steps. */
+/* Reports whether a quantity is a list of jumps or steps. */
 bool po_quantity_is_steps(po_quantity quantity);
 
 /* Returned: the quantity with a name; PO_QUANTITY_COUNT if there is none. */

@@ -373,7 +373,6 @@ po_status po_compare(const po_compare_input *comparison) {
   c.request = po_check_request(check, request);
   const po_status status = is_single(check->quantity, c.reference) ? compare_single(&c)
                            : check->quantity == PO_CURVE           ? compare_curve(&c)
-                           : check->quantity == PO_JUMPS           ? po_compare_jumps(&c)
                            : po_quantity_is_steps(check->quantity) ? po_compare_steps(&c)
                            : check->quantity == PO_WORK            ? compare_work(&c)
                                                                    : compare_special_points(&c);

@@ -14,16 +14,11 @@ double po_compare_obtained(po_quantity quantity, const po_result *result);
  * Status: PO_CANNOT_READ (the reference lacks a column), PO_NO_MEMORY. */
 po_status po_compare(const po_compare_input *comparison);
 
-/* The parts of po_compare for jumps and steps. */
-
-/* Compares the jumps of loading and unloading at given approach: their number, and, if it agrees,
- * the approach, the load before and after, and the energy lost of each. Status: as po_compare. */
-po_status po_compare_jumps(const po_compare_input *c);
-
-/* Compares the steps of the staircase at given approach or at given load, over the range of preload
- * that result and table share: their number, and, if it agrees, the preload at which each step
- * begins, force and approach of its pull-off, and (at given approach) the energy lost. Status: as
- * po_compare. */
+/* The part of po_compare for the jumps of loading and unloading at given approach, and for the
+ * steps of the staircase at given approach or at given load: their number, and, if it agrees, of
+ * each jump the approach, the load before and after, and the energy lost; of each step, over the
+ * range of preload that result and table share, the preload at which it begins, force and approach
+ * of its pull-off, and (at given approach) the energy lost. Status: as po_compare. */
 po_status po_compare_steps(const po_compare_input *c);
 
 /* Refuses a tolerance that is smaller than the uncertainty of the reference: an error of the

@@ -63,12 +63,13 @@ static size_t row_of(const po_compare_input *c, size_t index) {
   return row;
 }
 
-/* The number of items of a scene. */
-static size_t row_count_of(const po_compare_input *c) {
-  size_t count = 0;
-  for (size_t row = 0; po_reference_next_row(c->reference, &c->request, &row); ++row)
-    ++count;
-  return count;
+/* Returned: the loading and unloading, or the staircase, that the check refers to. */
+static const po_loop *loop_of(const po_compare_input *c) {
+  return &c->result->hysteresis.displacement;
+}
+
+static const po_staircase *staircase_of(const po_compare_input *c) {
+  return &c->result->staircase.of[c->check->quantity == PO_LOAD_STEPS];
 }
 
 /* Adds a result for each compared number of a row.
@@ -113,37 +114,26 @@ static po_status rows_uncertainty(po_quantity quantity, const po_reference *refe
   return PO_OK;
 }
 
-/* Returned: the greatest approach (or load) up to which the table lists all steps of a scene; NAN:
- * the table has no column complete_to, or no row for the scene. */
-static double table_reach(const po_compare_input *c) {
-  size_t row = 0;
-  po_reference_number number = {(double)NAN, 0};
-  if (po_reference_next_row(c->reference, &c->request, &row) &&
-      po_csv_find_column(&c->reference->table, "complete_to") >= 0)
-    (void)po_reference_cell(c->reference, row, "complete_to", &number);
-  return number.value;
-}
-
-static size_t count_ours(po_quantity quantity, const po_staircase *ours, double reach) {
-  size_t count = 0;
-  while (count < ours->count && !(driven(quantity, &ours->step[count].preload) > reach))
-    ++count;
-  return count;
-}
-
-/* Counts the rows whose steps begin within the range of loading, up to `reach`. */
-static size_t count_theirs(const po_compare_input *c, double reach, po_status *status) {
-  const char *column = driven_column(c->check->quantity);
-  size_t count = 0;
-  for (size_t row = 0; !*status && po_reference_next_row(c->reference, &c->request, &row); ++row) {
+/* Counts the steps of a result up to where the table lists all, and the rows whose steps begin
+ * within the range of loading. */
+static po_status count_steps(const po_compare_input *c, size_t *ours, size_t *theirs) {
+  const po_quantity quantity = c->check->quantity;
+  const po_staircase *steps = staircase_of(c);
+  const double loaded = driven(quantity, &steps->reached);
+  double reach; /* the approach or the load up to which the table lists all steps */
+  po_status status = po_reference_complete_to(c->reference, &c->request, &reach);
+  while (*ours < steps->count && !(driven(quantity, &steps->step[*ours].preload) > reach))
+    *ours += 1;
+  for (size_t row = 0; !status && po_reference_next_row(c->reference, &c->request, &row); ++row) {
     po_reference_number from = {0};
-    *status = po_reference_cell(c->reference, row, column, &from);
-    count += from.value <= reach;
+    status = po_reference_cell(c->reference, row, driven_column(quantity), &from);
+    *theirs += from.value <= loaded;
   }
-  return count;
+  return status;
 }
 
-static po_status add_step(const po_compare_input *c, const po_step *step, size_t index) {
+static po_status add_step(const po_compare_input *c, size_t index) {
+  const po_step *step = &staircase_of(c)->step[index];
   const double obtained[NUMBER_COUNT] = {step->preload.approach, step->preload.load,
                                          -step->pull_off.load, step->pull_off.approach,
                                          step->cycle[0].loss.energy};
@@ -151,32 +141,6 @@ static po_status add_step(const po_compare_input *c, const po_step *step, size_t
   snprintf(subject, sizeof subject, "step-%zu", index + 1);
   return add_row(c, row_of(c, index), subject, obtained + first_compared(c->check->quantity),
                  step->pull_off);
-}
-
-po_status po_compare_steps(const po_compare_input *c) {
-  const po_quantity quantity = c->check->quantity;
-  const po_staircase *ours = &c->result->staircase.of[quantity == PO_LOAD_STEPS];
-  const bool solved = c->result->status == PO_OK && c->result->has_staircases;
-  const bool known = row_count_of(c) > 0;
-  po_status status = PO_OK;
-  const size_t theirs = solved ? count_theirs(c, driven(quantity, &ours->reached), &status) : 0;
-  const size_t count = solved ? count_ours(quantity, ours, table_reach(c)) : 0;
-  if (status)
-    return status;
-  const po_reference_number expected = {known ? (double)theirs : (double)NAN, 0};
-  po_check_result *item =
-      po_compare_add(c, "step_count", "count", solved ? (double)count : (double)NAN, expected);
-  if (!item)
-    return PO_NO_MEMORY;
-  if (!solved || !known)
-    return PO_OK;
-  if (count != theirs) {
-    item->verdict = PO_OUTSIDE;
-    return PO_OK;
-  }
-  for (size_t k = 0; k < count && !status; ++k)
-    status = add_step(c, &ours->step[k], k);
-  return status;
 }
 
 static const char *phase_of(const po_jump *jump) {
@@ -191,7 +155,8 @@ static bool phases_agree(const po_compare_input *c, const po_loop *loop, size_t 
   return true;
 }
 
-static po_status add_jump(const po_compare_input *c, const po_loop *loop, size_t index) {
+static po_status add_jump(const po_compare_input *c, size_t index) {
+  const po_loop *loop = loop_of(c);
   const po_jump *jump = &loop->jumps[index];
   const double obtained[NUMBERS_OF_JUMP] = {jump->before.approach, jump->before.load,
                                             jump->after.load, jump->energy_lost};
@@ -201,31 +166,42 @@ static po_status add_jump(const po_compare_input *c, const po_loop *loop, size_t
   return add_row(c, row_of(c, index), subject, obtained, jump->before);
 }
 
-po_status po_compare_jumps(const po_compare_input *c) {
+po_status po_compare_steps(const po_compare_input *c) {
+  const bool jumps = c->check->quantity == PO_JUMPS;
   const po_csv *table = &c->reference->table;
-  const po_loop *loop = &c->result->hysteresis.displacement;
-  const bool solved = c->result->status == PO_OK && c->result->has_hysteresis;
-  const size_t rows = row_count_of(c);
-  const int column = po_csv_find_column(table, "phase");
-  if (column < 0)
+  const po_loop *loop = loop_of(c);
+  const bool solved =
+      c->result->status == PO_OK && (jumps ? c->result->has_hysteresis : c->result->has_staircases);
+  const int phase = po_csv_find_column(table, "phase");
+  size_t rows = 0, ours = jumps ? loop->jump_count : 0, theirs = 0;
+  po_status status = PO_OK;
+  for (size_t row = 0; po_reference_next_row(c->reference, &c->request, &row); ++row)
+    rows += 1;
+  if (jumps && phase < 0)
     return po_fail(PO_CANNOT_READ, "%s:%zu: the column phase is missing", table->path,
                    table->column_line);
-  const po_reference_number expected = {rows ? (double)rows : (double)NAN, 0};
-  po_check_result *item = po_compare_add(c, "jump_count", "count",
-                                         solved ? (double)loop->jump_count : (double)NAN, expected);
+  if (jumps)
+    theirs = rows;
+  else if (solved)
+    status = count_steps(c, &ours, &theirs);
+  if (status)
+    return status;
+  po_check_result *item = po_compare_add(
+      c, jumps ? "jump_count" : "step_count", "count", solved ? (double)ours : (double)NAN,
+      (po_reference_number){rows ? (double)theirs : (double)NAN, 0});
   if (!item)
     return PO_NO_MEMORY;
   if (!solved || !rows)
     return PO_OK;
-  if (loop->jump_count != rows || !phases_agree(c, loop, (size_t)column)) {
+  if (ours != theirs || (jumps && !phases_agree(c, loop, (size_t)phase))) {
     item->verdict = PO_OUTSIDE;
-    snprintf(item->note, sizeof item->note, "jumps in loading: %zu, in unloading: %zu",
-             loop->loading_jumps, loop->jump_count - loop->loading_jumps);
+    if (jumps)
+      snprintf(item->note, sizeof item->note, "jumps in loading: %zu, in unloading: %zu",
+               loop->loading_jumps, loop->jump_count - loop->loading_jumps);
     return PO_OK;
   }
-  po_status status = PO_OK;
-  for (size_t k = 0; k < rows && !status; ++k)
-    status = add_jump(c, loop, k);
+  for (size_t k = 0; k < ours && !status; ++k)
+    status = jumps ? add_jump(c, k) : add_step(c, k);
   return status;
 }
 
@@ -277,7 +253,7 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
       status = check_points(kase, check, number, reference, request);
     else {
       po_reference_number expected = {0};
-      status = check->quantity == PO_JUMPS || po_quantity_is_steps(check->quantity)
+      status = po_quantity_is_steps(check->quantity)
                    ? rows_uncertainty(check->quantity, reference, request, &expected)
                    : po_reference_find(reference, check->quantity, request, &expected);
       if (!status && too_tight(check, expected.value, expected.uncertainty))

@@ -170,7 +170,7 @@ static bool is_covered(const po_reference *reference, const po_check *check,
   size_t count = 0, row = 0;
   if (check->quantity == PO_SOLVED_SHARE || reference->type == PO_REFERENCE_TRACED)
     return true;
-  if (check->quantity == PO_JUMPS || po_quantity_is_steps(check->quantity))
+  if (po_quantity_is_steps(check->quantity))
     return po_reference_next_row(reference, request, &row);
   if (check->quantity == PO_WORK)
     return po_pins_value(reference, "work/points", request, &number.value) == PO_OK;

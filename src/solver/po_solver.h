@@ -6,7 +6,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "po_axis.h"
 #include "po_check.h"
 #include "po_digest.h"
 #include "po_request.h"
