@@ -76,7 +76,7 @@ static void add_case(const po_case_run *run, po_text *text) {
       worst = f;
   }
   const size_t outside = po_case_run_outside(run);
-  po_text_add(text, "%-18s %7zu %7zu %8zu %9.1f ", po_plan_name(run->plan),
+  po_text_add(text, "%-18s %7zu %7zu %8zu %9.1f ", run->plan->name,
               run->check_results.count - outside, outside, po_case_run_failures(run), run->elapsed);
   if (worst.item)
     po_text_add(text, "%10.*f  %s, %s", worst.item->ratio < 1e5 ? 3 : 0, worst.item->ratio,
@@ -137,7 +137,7 @@ static void add_check(const po_case_run *run, const po_check *check, const char 
   if (!count)
     return;
   const po_check_result *item = worst.item;
-  po_text_add(text, "%s %s, %s: ", po_plan_name(run->plan), check ? item->subject : "solve",
+  po_text_add(text, "%s %s, %s: ", run->plan->name, check ? item->subject : "solve",
               label_of(&worst));
   if (check)
     add_result(item, text);
@@ -166,7 +166,7 @@ static void add_excluded(const po_case_run *run, po_text *text) {
     }
   if (count)
     po_text_add(text, "%s: the manifest excludes %zu of %zu points; the first, %s, is %s\n",
-                po_plan_name(run->plan), count, run->asked_count, kase->points[first].label,
+                run->plan->name, count, run->asked_count, kase->points[first].label,
                 run->points[first].result.reason);
 }
 

@@ -199,7 +199,7 @@ static void explain_item(const po_case_run *run, const po_check_result *item, co
   char place[PO_PLACE_LENGTH] = "";
   po_blame blame;
   po_blame_find(run, item, &blame);
-  po_text_add(text, "%s %s %s: %s\n", po_plan_name(run->plan), item->subject,
+  po_text_add(text, "%s %s %s: %s\n", run->plan->name, item->subject,
               item->whole ? "-" : kase->points[item->point].label, po_verdict_name(item->verdict));
   explain_numbers(item, text);
   if (isfinite(item->approach)) {
@@ -225,13 +225,13 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
     if (f.item)
       explain_item(run, f.item, choice->output, text);
     else {
-      po_text_add(text, "%s solve %s: failed\n  reason     %s\n", po_plan_name(run->plan), f.label,
+      po_text_add(text, "%s solve %s: failed\n  reason     %s\n", run->plan->name, f.label,
                   run->points[f.point].result.reason);
       add_commands(commands_of(run, f.point, false, choice->output), text);
     }
   }
-  po_text_add(text, "%s: %zu of %zu checks explained%s\n", po_plan_name(run->plan), explained,
-              considered, explained < considered ? ", the others are within" : "");
+  po_text_add(text, "%s: %zu of %zu checks explained%s\n", run->plan->name, explained, considered,
+              explained < considered ? ", the others are within" : "");
 }
 
 static json_t *item_json(const po_case_run *run, const po_check_result *item, const char *output) {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_memory.h"
 #include "po_text.h"
 
 static void number_or_dash(double value, int digits, char text[32]) {
@@ -31,7 +32,7 @@ static void table_line(const po_case_run *run, const po_finding *finding, po_tex
   number_or_dash(curve ? item->error : item->obtained, 9, obtained);
   number_or_dash(curve && isfinite(item->error) ? 0 : item->expected, 9, expected);
   ratio_or_dash(item->ratio, ratio);
-  po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", po_plan_name(run->plan),
+  po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->name,
               item->quantity, finding->label ? finding->label : "-", obtained, expected, ratio,
               po_ledger_name(item->ledger), po_verdict_name(item->verdict), is_told ? ": " : "",
               is_told ? item->note : "");
@@ -42,7 +43,7 @@ static void physical_lines(const po_case_run *run, po_text *text) {
   const po_case *kase = run->plan->kase;
   for (size_t i = 0; kase->is_physical && i < kase->point_count; ++i)
     if (run->points[i].result.has_pull_off)
-      po_text_add(text, "%-12s %-23s %-24s %.10g N at approach %.10g m\n", po_plan_name(run->plan),
+      po_text_add(text, "%-12s %-23s %-24s %.10g N at approach %.10g m\n", run->plan->name,
                   "pull_off", kase->points[i].label,
                   run->points[i].result.pull_off.force * kase->units.force,
                   run->points[i].result.pull_off.approach * kase->units.length);
@@ -84,8 +85,8 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
     physical_lines(run, text);
     for (po_finding f = {0}; po_finding_next(run, &f);)
       if (!f.item)
-        po_text_add(text, "%-12s %-23s %-24s failed: %s\n", po_plan_name(run->plan), "solve",
-                    f.label, run->points[f.point].result.reason);
+        po_text_add(text, "%-12s %-23s %-24s failed: %s\n", run->plan->name, "solve", f.label,
+                    run->points[f.point].result.reason);
   }
   po_verdicts_totals(runs, count, text);
 }
@@ -125,7 +126,7 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
       named test;
       name_finding(&runs[r], &f, &test);
       po_text_add(text, "%s %zu - %s %s%s\n", f.passes ? "ok" : "not ok", ++number,
-                  po_plan_name(runs[r].plan), test.what, test.id);
+                  runs[r].plan->name, test.what, test.id);
       if (!f.plain)
         po_text_add(text, "# %s\n", test.words);
     }
@@ -152,7 +153,7 @@ static void add_escaped(po_text *text, const char *string) {
 static void junit_test(const po_case_run *run, const po_finding *finding, po_text *text) {
   named test;
   name_finding(run, finding, &test);
-  po_text_add(text, "    <testcase classname=\"%s\" name=\"%s", po_plan_name(run->plan), test.what);
+  po_text_add(text, "    <testcase classname=\"%s\" name=\"%s", run->plan->name, test.what);
   add_escaped(text, test.id);
   po_text_add(text, "\" time=\"%.3f\"", run->points[finding->point].result.work.seconds);
   if (finding->plain) {
@@ -167,7 +168,7 @@ static void junit_test(const po_case_run *run, const po_finding *finding, po_tex
 static void junit_suite(const po_case_run *run, po_text *text) {
   const size_t failures = po_case_run_failures(run);
   po_text_add(text, "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" time=\"%.3f\">\n",
-              po_plan_name(run->plan), run->check_results.count + failures,
+              run->plan->name, run->check_results.count + failures,
               po_case_run_outside(run) + failures, run->elapsed);
   for (po_finding f = {0}; po_finding_next(run, &f);)
     junit_test(run, &f, text);
@@ -179,4 +180,120 @@ void po_verdicts_junit(const po_case_run *runs, size_t count, po_text *text) {
   for (size_t r = 0; r < count; ++r)
     junit_suite(&runs[r], text);
   po_text_add(text, "</testsuites>\n");
+}
+
+/* The summary of a case with many scenes. */
+
+enum { SLOWEST = 5 };
+
+static void add_statuses(const po_case_run *run, po_text *text) {
+  static const po_status STATUSES[] = {
+#define VALUE(name, value, words) name,
+      PO_STATUS_LIST(VALUE)
+#undef VALUE
+  };
+  po_text_add(text, "%-20s %9s\n", "status", "points");
+  for (size_t s = 0; s < sizeof STATUSES / sizeof *STATUSES; ++s) {
+    size_t count = 0;
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+      count += run->points[i].asked && run->points[i].result.status == STATUSES[s];
+    if (count)
+      po_text_add(text, "%-20s %9zu\n", po_status_name(STATUSES[s]), count);
+  }
+}
+
+static double cost(const po_work *work, int what) {
+  return what == 0 ? work->seconds : what == 1 ? (double)work->points : (double)work->nodes;
+}
+
+static int ascending(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* Returned: the quantile by the nearest rank: the least value that a fraction `part` of the values
+ * does not exceed. */
+static double quantile(const double *sorted, size_t count, double part) {
+  const size_t rank = (size_t)ceil(part * (double)count);
+  return sorted[rank > 0 ? rank - 1 : 0];
+}
+
+static void add_costs(const po_case_run *run, double *space, po_text *text) {
+  static const char *const NAMES[] = {"seconds", "points", "nodes"};
+  po_text_add(text, "%-20s %9s %9s %9s\n", "of each solve", "median", "95 %", "greatest");
+  for (int what = 0; what < 3; ++what) {
+    size_t count = 0;
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+      if (run->points[i].asked)
+        space[count++] = cost(&run->points[i].result.work, what);
+    qsort(space, count, sizeof *space, ascending);
+    po_text_add(text, "%-20s %9.4g %9.4g %9.4g\n", NAMES[what], quantile(space, count, 0.5),
+                quantile(space, count, 0.95), space[count - 1]);
+  }
+}
+
+static void add_command(const po_case_run *run, size_t point, po_text *text) {
+  const po_request request = po_plan_request(run->plan, point);
+  char *command = po_input_command(&request);
+  po_text_add(text, "  %s\n", command ? command : "");
+  text->failed = text->failed || !command;
+  free(command);
+}
+
+/* Adds the slowest solves. Each is found by a search through all points, as there are few. */
+static void add_slowest(const po_case_run *run, po_text *text) {
+  double below = (double)INFINITY;
+  po_text_add(text, "slowest\n");
+  for (int found = 0; found < SLOWEST;) {
+    double greatest = -1;
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+      const double seconds = run->points[i].result.work.seconds;
+      if (run->points[i].asked && seconds < below && seconds > greatest)
+        greatest = seconds;
+    }
+    if (greatest < 0)
+      return;
+    for (size_t i = 0; i < run->plan->kase->point_count && found < SLOWEST; ++i)
+      if (run->points[i].asked && run->points[i].result.work.seconds >= greatest &&
+          run->points[i].result.work.seconds < below) {
+        po_text_add(text, "point %s, %s, %.3g s\n", run->plan->kase->points[i].id,
+                    po_status_name(run->points[i].result.status), greatest);
+        add_command(run, i, text);
+        ++found;
+      }
+    below = greatest;
+  }
+}
+
+static void add_failures(const po_case_run *run, po_text *text) {
+  size_t count = 0;
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+    const po_result *result = &run->points[i].result;
+    if (!run->points[i].asked || result->status == PO_OK)
+      continue;
+    if (count++ == 0)
+      po_text_add(text, "failed\n");
+    po_text_add(text, "point %s, %s: %s\n", run->plan->kase->points[i].id,
+                po_status_name(result->status), result->reason);
+    add_command(run, i, text);
+  }
+  if (!count)
+    po_text_add(text, "none failed\n");
+}
+
+void po_summary_add(const po_case_run *run, po_text *text) {
+  if (!run->asked_count)
+    return;
+  double *space = po_allocate(run->asked_count, sizeof *space);
+  if (!space) {
+    text->failed = true;
+    return;
+  }
+  po_text_add(text, "%s: %zu of %zu points\n", run->plan->name, run->asked_count,
+              run->plan->kase->point_count);
+  add_statuses(run, text);
+  add_costs(run, space, text);
+  add_slowest(run, text);
+  add_failures(run, text);
+  free(space);
 }

@@ -103,10 +103,6 @@ size_t po_case_run_lacking(const po_case_run *run) {
   return count;
 }
 
-bool po_case_run_is_done(const po_case_run *run) {
-  return po_case_run_lacking(run) == 0;
-}
-
 bool po_case_run_failed(const po_case_run *run, size_t point) {
   if (run->points[point].result.status == PO_OK || run->points[point].beyond)
     return false;

@@ -85,10 +85,8 @@ void po_case_run_exclude(po_case_run *run, size_t point, const char *why);
 /* Requests only the existing points with numbers in these ranges. */
 void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count);
 
-/* Reports whether all points are requested; whether the results of all requested points are known.
- */
+/* Reports whether all points are requested. */
 bool po_case_run_is_whole(const po_case_run *run);
-bool po_case_run_is_done(const po_case_run *run);
 
 /* Returned: the number of requested points whose results are not known. */
 size_t po_case_run_lacking(const po_case_run *run);

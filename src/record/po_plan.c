@@ -21,10 +21,6 @@ po_request po_plan_request(const po_plan *plan, size_t point) {
 static const unsigned HYSTERESIS = 1U << PO_HYSTERESIS_FORCE | 1U << PO_HYSTERESIS_APPROACH |
                                    1U << PO_HYSTERESIS_LOSS | 1U << PO_JUMPS;
 
-const char *po_plan_name(const po_plan *plan) {
-  return plan->name ? plan->name : plan->kase->file->name;
-}
-
 void po_plan_add_solver(const po_plan *plan, po_text *text) {
   const po_solver *solver = plan->solver;
   if (!solver)
@@ -196,12 +192,11 @@ static po_status make_keys(po_plan *plan) {
   return status;
 }
 
-/* Composes the name of the plan of an external solver. */
 static po_status name_plan(po_plan *plan) {
   po_text name = {0};
-  if (!plan->solver)
-    return PO_OK;
-  po_text_add(&name, "%s:%s", plan->solver->name, plan->kase->file->name);
+  if (plan->solver)
+    po_text_add(&name, "%s:", plan->solver->name);
+  po_text_add(&name, "%s", plan->kase->file->name);
   plan->name = name.data;
   return name.failed ? PO_NO_MEMORY : PO_OK;
 }

@@ -11,7 +11,7 @@
 typedef struct {
   const po_case *kase;
   const po_solver *solver;  /* that computes the results; NULL: this program */
-  char *name;               /* in printed lines: of the case, or "SOLVER:CASE"; see po_plan_name */
+  char *name;               /* in printed lines: of the case, or "SOLVER:CASE" */
   po_reference *references; /* one a check, then one a measurement (po_case_check), open */
   unsigned want;            /* bit set of PO_WANT_..., for every point */
   char **lines;             /* what po_plan_describe says of it; none before */
@@ -29,9 +29,6 @@ typedef struct {
 po_status po_plan_create(const po_case *kase, const char *data_folder, const po_solver *solver,
                          po_plan **result);
 void po_plan_destroy(po_plan *plan);
-
-/* Returned: the name of the case in printed lines. */
-const char *po_plan_name(const po_plan *plan);
 
 /* Adds the options that name an external solver, " --solver MANIFEST --knob VALUE"; nothing for
  * this program. The name of the solver says whether the knob has another value than the last. */

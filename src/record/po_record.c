@@ -310,7 +310,7 @@ static po_status read_record(po_case_run *run, const json_t *record, bool intact
     if (run->points[i].asked && !run->points[i].done &&
         po_record_read_point(run, i, json_array_get(points, i), folder, intact) == PO_NO_MEMORY)
       return PO_NO_MEMORY;
-  if (!po_case_run_is_done(run))
+  if (po_case_run_lacking(run))
     return PO_NOT_FOUND;
   const po_status lines = check_lines(json_object_get(record, "lines"), folder);
   if (lines == PO_NO_MEMORY)

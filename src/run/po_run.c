@@ -8,7 +8,7 @@
 
 #include "po_environment.h"
 #include "po_file.h"
-#include "po_jobs.h"
+#include "po_job.h"
 #include "po_journal.h"
 #include "po_linear.h"
 #include "po_record.h"
@@ -135,7 +135,7 @@ static void report_finished(po_crew *crew, const po_case_run *run) {
     snprintf(kept, sizeof kept, " (%zu points kept)", run->resumed);
   if (!po_case_run_is_whole(run))
     snprintf(part, sizeof part, " of %zu", run->plan->kase->point_count);
-  progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s", po_plan_name(run->plan),
+  progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s", run->plan->name,
                run->asked_count, part, run->check_results.count, po_case_run_verdict(run), kept);
 }
 
@@ -168,8 +168,8 @@ static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
   if (result->status != PO_NO_MEMORY || run->plan->solver)
     return false;
   if (crew->starved++ == 0)
-    snprintf(crew->starved_message, sizeof crew->starved_message, "%s %s: %s",
-             po_plan_name(run->plan), run->plan->kase->points[point].label, result->reason);
+    snprintf(crew->starved_message, sizeof crew->starved_message, "%s %s: %s", run->plan->name,
+             run->plan->kase->points[point].label, result->reason);
   return true;
 }
 
@@ -178,7 +178,7 @@ static po_status take(void *context, po_case_run *run, size_t point, bool last) 
   po_crew *crew = context;
   if (!run->points[point].done) {
     char what[128];
-    snprintf(what, sizeof what, "%.40s %.60s", po_plan_name(run->plan),
+    snprintf(what, sizeof what, "%.40s %.60s", run->plan->name,
              run->plan->kase->points[point].label);
     progress_step(&crew->progress, what, effort(run));
   }
@@ -335,7 +335,7 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
   if (options->fresh)
     leave_out(run, options->needed);
-  if (po_case_run_is_done(run) && run->asked_count)
+  if (!po_case_run_lacking(run) && run->asked_count)
     return finish_case(crew, run); /* merged from shards */
   if (options->fresh && po_case_run_is_whole(run)) {
     const po_status status = po_journal_remove(run->folder);

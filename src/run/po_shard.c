@@ -298,7 +298,7 @@ static po_status check_runs(const po_merge_part *first, const po_case_run *runs,
 static po_status read_results(po_case_run *run, const char *output) {
   char *folder = po_path_join(output, run->plan->kase->file->name);
   po_status status = folder ? po_journal_read(run, folder) : PO_NO_MEMORY;
-  if (!status && !po_case_run_is_done(run))
+  if (!status && po_case_run_lacking(run))
     status = po_record_read(run, folder);
   free(folder);
   run->kept = run->finished = false;

@@ -49,7 +49,7 @@ static inline void make_run(void) {
                         .file = &made_file,
                         .points = made_points,
                         .point_count = 2};
-  made_plan = (po_plan){.kase = &made_case, .references = made_references};
+  made_plan = (po_plan){.kase = &made_case, .name = made_file.name, .references = made_references};
   made_run = (po_case_run){.plan = &made_plan, .points = made_results};
 }
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_jobs.h"
+#include "po_job.h"
 #include "run.h"
 
 enum { RUNS = 4 };
