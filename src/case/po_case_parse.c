@@ -62,23 +62,6 @@ static po_status parse_repeats(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* Refuses pins of numbers that cannot be pinned, and other references of numbers that only pins
- * have. */
-static po_status check_pin(const po_case_file *file, const po_check *check, unsigned number,
-                           const po_yaml *yaml) {
-  if (check->type == PO_REFERENCE_PINS && po_case_varies(file, PO_KEY_TIME_LIMIT))
-    return po_schema_refuse(
-        yaml, "a reference other than pin, as pins do not depend on time_limit and it varies",
-        "checks[%u].reference", number);
-  if (check->quantity == PO_CURVE && check->type == PO_REFERENCE_PINS)
-    return po_schema_refuse(yaml, "folds and extrema, as a curve itself cannot be pinned",
-                            "checks[%u].quantity", number);
-  if (check->quantity == PO_WORK && check->type != PO_REFERENCE_PINS)
-    return po_schema_refuse(yaml, "pin, as work has no other reference", "checks[%u].reference",
-                            number);
-  return PO_OK;
-}
-
 /* What another machine may change by rounding, if the bits of this program are not the same there:
  * of a result, and of a counter of work. */
 static const char ROUNDING[] = "1e-9", ROUNDING_OF_WORK[] = "0.1";
@@ -100,20 +83,53 @@ static po_status complete_check(po_check *check, unsigned number, const po_yaml 
   return missing ? po_schema_refuse(yaml, NULL, "checks[%u].%s", number, missing) : PO_OK;
 }
 
-static po_status check_as_if(const po_check *check, unsigned number, const po_yaml *yaml) {
+static bool is_blank(const char *text) {
+  return text[strspn(text, " \t\n")] == '\0';
+}
+
+/* Refuses the first rule that a check breaks. */
+static po_status check_rules(const po_case_file *file, const po_check *check, unsigned number,
+                             const po_yaml *yaml) {
+  static const char OF_VALUES[] = "bradley, pin or the path of a CSV file";
+  const bool table = check->type == PO_REFERENCE_TABLE, pin = check->type == PO_REFERENCE_PINS,
+             curve = check->quantity == PO_CURVE, share = check->quantity == PO_SOLVED_SHARE,
+             diagnostic = po_quantity_is(check->quantity, PO_OF_DIAGNOSTICS),
+             relative = check->kind != PO_TOLERANCE_ABS;
+  const struct {
+    bool broken;
+    const char *member, *expected; /* NULL: as the schema says */
+  } rules[] = {
+      {!(check->tolerance > 0), "tolerance", NULL},
+      {check->kind > PO_TOLERANCE_ULP, "kind", NULL},
+      {curve && relative, "kind", "abs, as the distance between curves is absolute"},
+      {diagnostic && check->type != PO_REFERENCE_ZERO, "reference",
+       "zero, as the quantity vanishes for an exact solution"},
+      {!diagnostic && check->type == PO_REFERENCE_ZERO, "reference", OF_VALUES},
+      {diagnostic && relative, "kind", "abs, as the reference is zero"},
+      {po_quantity_is(check->quantity, PO_OF_LOOP) && !table, "reference",
+       "the path of a CSV file, as only tables contain hysteresis"},
+      {po_quantity_is_steps(check->quantity) && !table, "reference",
+       "the path of a CSV file, as only tables contain steps"},
+      {share && check->type != PO_REFERENCE_EVERY_SCENE, "reference",
+       "every_scene, as the share refers to all scenes of the case"},
+      {!share && check->type == PO_REFERENCE_EVERY_SCENE, "reference", OF_VALUES},
+      {share && relative, "kind", "abs, as a share is absolute"},
+      {share && check->tolerance >= 1, "tolerance", "the share that may fail, below 1"},
+      {is_blank(check->because), "because", NULL},
+      {pin && po_case_varies(file, PO_KEY_TIME_LIMIT), "reference",
+       "a reference other than pin, as pins do not depend on time_limit and it varies"},
+      {pin && curve, "quantity", "folds and extrema, as a curve itself cannot be pinned"},
+      {!pin && check->quantity == PO_WORK, "reference", "pin, as work has no other reference"},
+      {check->as_if_count && (pin || check->type == PO_REFERENCE_TRACED), "reference",
+       "a reference other than pin and traced, as as_if selects another scene"},
+  };
+  for (size_t i = 0; i < sizeof rules / sizeof *rules; ++i)
+    if (rules[i].broken)
+      return po_schema_refuse(yaml, rules[i].expected, "checks[%u].%s", number, rules[i].member);
   for (unsigned i = 0; i < check->as_if_count; ++i)
     if (check->as_if[i].values_count > 1)
       return po_schema_refuse(yaml, "one value", "checks[%u].as_if[%u].values", number, i + 1);
-  if (check->as_if_count &&
-      (check->type == PO_REFERENCE_PINS || check->type == PO_REFERENCE_TRACED))
-    return po_schema_refuse(yaml,
-                            "a reference other than pin and traced, as as_if selects another scene",
-                            "checks[%u].reference", number);
   return PO_OK;
-}
-
-static bool is_blank(const char *text) {
-  return text[strspn(text, " \t\n")] == '\0';
 }
 
 static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
@@ -128,57 +144,22 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   const po_status complete = complete_check(check, number, yaml);
   if (complete)
     return complete;
-  if (!po_number_parse(check->tolerance_text, &check->tolerance) || check->tolerance <= 0)
-    return po_schema_refuse(yaml, NULL, "checks[%u].tolerance", number);
+  if (!po_number_parse(check->tolerance_text, &check->tolerance))
+    check->tolerance = (double)NAN;
   char path[PO_CASE_WHERE_LENGTH];
   snprintf(path, sizeof path, "checks[%u].tolerance", number);
   check->tolerance_line = po_yaml_line(yaml, path);
   while (kind <= PO_TOLERANCE_ULP && strcmp(check->kind_text, KINDS[kind]) != 0)
     ++kind;
-  if (kind > PO_TOLERANCE_ULP)
-    return po_schema_refuse(yaml, NULL, "checks[%u].kind", number);
-  if (check->quantity == PO_CURVE && kind != PO_TOLERANCE_ABS)
-    return po_schema_refuse(yaml, "abs, as the distance between curves is absolute",
-                            "checks[%u].kind", number);
   check->kind = (po_tolerance_kind)kind;
-  const bool is_table = check->type == PO_REFERENCE_TABLE;
-  const bool diagnostic = po_quantity_is(check->quantity, PO_OF_DIAGNOSTICS);
-  if (diagnostic != (check->type == PO_REFERENCE_ZERO))
-    return po_schema_refuse(yaml,
-                            diagnostic ? "zero, as the quantity vanishes for an exact solution"
-                                       : "bradley, pin or the path of a CSV file",
-                            "checks[%u].reference", number);
-  if (diagnostic && kind != PO_TOLERANCE_ABS)
-    return po_schema_refuse(yaml, "abs, as the reference is zero", "checks[%u].kind", number);
-  if (po_quantity_is(check->quantity, PO_OF_LOOP) && !is_table)
-    return po_schema_refuse(yaml, "the path of a CSV file, as only tables contain hysteresis",
-                            "checks[%u].reference", number);
-  if (po_quantity_is_steps(check->quantity) && !is_table)
-    return po_schema_refuse(yaml, "the path of a CSV file, as only tables contain steps",
-                            "checks[%u].reference", number);
-  const bool share = check->quantity == PO_SOLVED_SHARE;
-  if (share != (check->type == PO_REFERENCE_EVERY_SCENE))
-    return po_schema_refuse(yaml,
-                            share ? "every_scene, as the share refers to all scenes of the case"
-                                  : "bradley, pin or the path of a CSV file",
-                            "checks[%u].reference", number);
-  if (share && (kind != PO_TOLERANCE_ABS || check->tolerance >= 1))
-    return po_schema_refuse(
-        yaml, kind ? "abs, as a share is absolute" : "the share that may fail, below 1",
-        "checks[%u].%s", number, kind ? "kind" : "tolerance");
-  if (is_blank(check->because))
-    return po_schema_refuse(yaml, NULL, "checks[%u].because", number);
-  const po_status pin = check_pin(file, check, number, yaml);
-  return pin ? pin : check_as_if(check, number, yaml);
+  return check_rules(file, check, number, yaml);
 }
 
 /* A measurement compares with an independent value, and has no tolerance. */
 static po_status parse_measure(po_check *measure, unsigned number, const po_yaml *yaml) {
   const int quantity = po_quantity_of_name(measure->quantity_text);
-  if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE ||
-      po_quantity_is((po_quantity)quantity, PO_OF_DIAGNOSTICS) ||
-      po_quantity_is((po_quantity)quantity, PO_OF_LOOP) ||
-      po_quantity_is((po_quantity)quantity, PO_OF_STAIRCASE))
+  if (quantity == PO_QUANTITY_COUNT || (!po_quantity_is((po_quantity)quantity, PO_OF_PULL_OFF) &&
+                                        !po_quantity_is((po_quantity)quantity, PO_OF_BRANCH)))
     return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
   measure->type = po_reference_type_of(measure->reference);
   if (measure->type != PO_REFERENCE_BRADLEY && measure->type != PO_REFERENCE_TABLE)
