@@ -128,12 +128,12 @@ static po_status count_points(po_case *kase, const po_yaml *yaml) {
     count *= count_of_sweep(&kase->file->sweep[i]);
     if (count > MOST_POINTS)
       return po_fail(PO_BAD_INPUT, "%s:%zu: sweep has more than %zu points: expected fewer",
-                     po_yaml_name(yaml), po_yaml_line(yaml, "sweep"), MOST_POINTS);
+                     yaml->name, po_yaml_line(yaml, "sweep"), MOST_POINTS);
   }
   if (sample && (count *= sample->count) > MOST_POINTS)
     return po_fail(PO_BAD_INPUT,
-                   "%s:%zu: sample and sweep make more than %zu points: expected fewer",
-                   po_yaml_name(yaml), po_yaml_line(yaml, "sample.count"), MOST_POINTS);
+                   "%s:%zu: sample and sweep make more than %zu points: expected fewer", yaml->name,
+                   po_yaml_line(yaml, "sample.count"), MOST_POINTS);
   kase->point_count = count;
   kase->points = po_allocate(count, sizeof *kase->points);
   return kase->points ? PO_OK : PO_NO_MEMORY;
@@ -315,13 +315,13 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
     return PO_NO_MEMORY;
   if (!possible)
     return po_fail(PO_BAD_INPUT, "%s:%zu: sample draws %s: expected permitted values of these keys",
-                   po_yaml_name(yaml), po_yaml_line(yaml, "sample.keys"), point->label);
+                   yaml->name, po_yaml_line(yaml, "sample.keys"), point->label);
   if (po_request_check(&point->request) == PO_OK)
     return PO_OK;
   char *why = po_copy_text(po_message());
   const po_status status =
-      po_fail(PO_BAD_INPUT, "%s:%zu: scene (%s): %s", po_yaml_name(yaml),
-              po_yaml_line(yaml, "scene"), point->label, why ? why : "refused");
+      po_fail(PO_BAD_INPUT, "%s:%zu: scene (%s): %s", yaml->name, po_yaml_line(yaml, "scene"),
+              point->label, why ? why : "refused");
   free(why);
   return status;
 }

@@ -175,8 +175,8 @@ static po_status refuse_scene(unsigned index, const char *key, const char *value
   char where[PO_CASE_WHERE_LENGTH];
   snprintf(where, sizeof where, "lines[%u].sweep", index + 1);
   const po_status status =
-      po_fail(PO_BAD_INPUT, "%s:%zu: %s (%s=%s): %s", po_yaml_name(yaml), po_yaml_line(yaml, where),
-              where, key, value, why ? why : "refused");
+      po_fail(PO_BAD_INPUT, "%s:%zu: %s (%s=%s): %s", yaml->name, po_yaml_line(yaml, where), where,
+              key, value, why ? why : "refused");
   free(why);
   return status;
 }

@@ -75,9 +75,8 @@ static po_status case_refuse_for(const po_yaml *yaml, const char *where, po_stat
     return status;
   char *why = po_copy_text(po_message());
   const bool named = why && strncmp(why, where, strlen(where)) == 0;
-  const po_status failed =
-      po_fail(status, "%s:%zu: %s%s%s", po_yaml_name(yaml), po_yaml_line(yaml, where),
-              named ? "" : where, named ? "" : ": ", why ? why : "refused");
+  const po_status failed = po_fail(status, "%s:%zu: %s%s%s", yaml->name, po_yaml_line(yaml, where),
+                                   named ? "" : where, named ? "" : ": ", why ? why : "refused");
   free(why);
   return failed;
 }

@@ -46,7 +46,7 @@ static po_status refuse(const place *at, const po_field *field) {
 
 /* Returned: the node with a number. */
 static const yaml_node_t *node_of(const place *at, int number) {
-  return yaml_document_get_node(po_yaml_document(at->yaml), number);
+  return yaml_document_get_node(at->yaml->document, number);
 }
 
 static const char *text_of(const yaml_node_t *node) {
@@ -59,7 +59,7 @@ static po_status refuse_key(const place *at, const yaml_node_t *key, const po_fi
     po_text_add(&known, "%s%s", known.length ? ", " : "", field->key);
   const char *name = *text_of(key) ? text_of(key) : "''";
   const po_status status = po_fail(PO_BAD_INPUT, "%s:%zu: %s%s%s is unknown: expected one of %s",
-                                   po_yaml_name(at->yaml), key->start_mark.line + 1, at->path,
+                                   at->yaml->name, key->start_mark.line + 1, at->path,
                                    *at->path ? "." : "", name, po_text_string(&known));
   po_suggest(status, name, po_text_string(&known));
   po_text_clear(&known);
@@ -161,7 +161,7 @@ static po_status load_mapping(place *at, const yaml_node_t *node, const po_field
 
 po_status po_fields_load(const po_yaml *yaml, const po_field *fields, void *structure) {
   place at = {.yaml = yaml};
-  return load_mapping(&at, yaml_document_get_root_node(po_yaml_document(yaml)), fields, structure);
+  return load_mapping(&at, yaml_document_get_root_node(yaml->document), fields, structure);
 }
 
 void po_fields_clear(const po_field *fields, void *structure) {

@@ -9,12 +9,6 @@
 #include "po_quote.h"
 #include "po_suggest.h"
 
-struct po_yaml {
-  char *name;
-  yaml_document_t document;
-  bool loaded;
-};
-
 /* Returned: the value of a key in a mapping, and in *line the line of the key; NULL: no such key.
  */
 static yaml_node_t *mapping_find(yaml_document_t *document, const yaml_node_t *mapping,
@@ -40,8 +34,8 @@ static int by_key(const void *a, const void *b, void *document) {
   return order ? order : (m > n) - (m < n);
 }
 
-static po_status check_mapping(const po_yaml *yaml, yaml_document_t *document,
-                               const yaml_node_t *mapping) {
+static po_status check_mapping(const po_yaml *yaml, const yaml_node_t *mapping) {
+  yaml_document_t *document = yaml->document;
   const yaml_node_pair_t *pairs = mapping->data.mapping.pairs.start;
   const size_t count = (size_t)(mapping->data.mapping.pairs.top - pairs);
   for (size_t i = 0; i < count; ++i) {
@@ -75,7 +69,8 @@ static po_status check_scalar(const po_yaml *yaml, const yaml_node_t *node) {
 
 /* Refuses aliases: a node with an alias has two places in the file, and a message could report the
  * line of the wrong one. */
-static po_status check_tree(const po_yaml *yaml, yaml_document_t *document) {
+static po_status check_tree(const po_yaml *yaml) {
+  yaml_document_t *document = yaml->document;
   const ptrdiff_t count = document->nodes.top - document->nodes.start;
   int *uses = po_allocate((size_t)count + 1, sizeof *uses);
   if (!uses)
@@ -84,7 +79,7 @@ static po_status check_tree(const po_yaml *yaml, yaml_document_t *document) {
   for (int i = 1; !status && i <= count; ++i) {
     const yaml_node_t *node = yaml_document_get_node(document, i);
     if (node->type == YAML_MAPPING_NODE) {
-      status = check_mapping(yaml, document, node);
+      status = check_mapping(yaml, node);
       for (yaml_node_pair_t *p = node->data.mapping.pairs.start;
            !status && p < node->data.mapping.pairs.top; ++p)
         uses[p->value] += 1;
@@ -115,18 +110,23 @@ static po_status load(const po_yaml *yaml, yaml_parser_t *parser, yaml_document_
 }
 
 static po_status parse(po_yaml *yaml, yaml_parser_t *parser) {
-  po_status status = load(yaml, parser, &yaml->document);
+  yaml_document_t document, more;
+  po_status status = load(yaml, parser, &document);
   if (status)
     return status;
-  yaml->loaded = true;
-  const yaml_node_t *root = yaml_document_get_root_node(&yaml->document);
+  yaml->document = po_allocate(1, sizeof document);
+  if (!yaml->document) {
+    yaml_document_delete(&document);
+    return PO_NO_MEMORY;
+  }
+  *yaml->document = document;
+  const yaml_node_t *root = yaml_document_get_root_node(yaml->document);
   if (!root)
     return po_fail(PO_BAD_INPUT, "%s:1: the file is empty: expected a case", yaml->name);
   if (root->type != YAML_MAPPING_NODE)
     return po_fail(PO_BAD_INPUT, "%s:%zu: not a case: expected key: value", yaml->name,
                    root->start_mark.line + 1);
-  yaml_document_t more;
-  status = check_tree(yaml, &yaml->document);
+  status = check_tree(yaml);
   if (!status)
     status = load(yaml, parser, &more);
   if (status)
@@ -168,25 +168,17 @@ po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_ya
 void po_yaml_destroy(po_yaml *yaml) {
   if (!yaml)
     return;
-  if (yaml->loaded)
-    yaml_document_delete(&yaml->document);
+  if (yaml->document)
+    yaml_document_delete(yaml->document);
+  free(yaml->document);
   free(yaml->name);
   free(yaml);
-}
-
-const char *po_yaml_name(const po_yaml *yaml) {
-  return yaml->name;
-}
-
-yaml_document_t *po_yaml_document(const po_yaml *yaml) {
-  return (yaml_document_t *)&yaml->document; /* the functions of libyaml have no const */
 }
 
 /* Returned: the node at a path; NULL if it is absent. *line is the line of the innermost existing
  * node on the path. */
 static yaml_node_t *find(const po_yaml *yaml, const char *path, size_t *line) {
-  yaml_document_t *document = po_yaml_document(yaml);
-  yaml_node_t *node = yaml_document_get_root_node(document);
+  yaml_node_t *node = yaml_document_get_root_node(yaml->document);
   *line = node->start_mark.line + 1;
   while (*path && node) {
     if (*path == '[') {
@@ -196,14 +188,14 @@ static yaml_node_t *find(const po_yaml *yaml, const char *path, size_t *line) {
       if (node->type != YAML_SEQUENCE_NODE || item < 1 ||
           item > node->data.sequence.items.top - node->data.sequence.items.start)
         return NULL;
-      node = yaml_document_get_node(document, node->data.sequence.items.start[item - 1]);
+      node = yaml_document_get_node(yaml->document, node->data.sequence.items.start[item - 1]);
       *line = node->start_mark.line + 1;
     } else {
       path += *path == '.';
       const size_t length = strcspn(path, ".[");
       if (node->type != YAML_MAPPING_NODE)
         return NULL;
-      node = mapping_find(document, node, path, length, line);
+      node = mapping_find(yaml->document, node, path, length, line);
       path += length;
     }
   }

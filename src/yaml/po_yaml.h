@@ -10,7 +10,10 @@
 
 #include "po_status.h"
 
-typedef struct po_yaml po_yaml;
+typedef struct {
+  char *name;                /* of the file in messages */
+  yaml_document_t *document; /* its root is a mapping, and all keys are scalars */
+} po_yaml;
 
 /* Parses `size` bytes.
  * Given: `name`, the name of the file in messages.
@@ -18,12 +21,6 @@ typedef struct po_yaml po_yaml;
  * one document, a repeated key in a mapping, an alias, or a control character. */
 po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_yaml **yaml);
 void po_yaml_destroy(po_yaml *yaml);
-
-/* Returned: the document of libyaml. Its root is a mapping, and all keys are scalars. */
-yaml_document_t *po_yaml_document(const po_yaml *yaml);
-
-/* Returned: the name given to po_yaml_create. */
-const char *po_yaml_name(const po_yaml *yaml);
 
 /* Returned: the line of the value at `path`, counted from 1. If the value is absent, the line of
  * the innermost existing mapping or list on the path. */
