@@ -58,47 +58,22 @@ static po_status compare_single(const po_compare_input *c) {
   return PO_OK;
 }
 
-/* Returned: in *curve, points, rates and positions of the computed curve; the caller frees them. */
-static po_status plane_of(const po_result *result, po_plane_curve *curve) {
-  const size_t count = result->curve_count;
-  po_plane_point *plane = po_allocate(2 * count, sizeof *plane);
-  double *positions = po_allocate(count, sizeof *positions);
-  *curve = (po_plane_curve){plane, plane ? plane + count : NULL, positions, count};
-  if (!plane || !positions)
-    return PO_NO_MEMORY;
-  if (count > 0 && isnan(result->curve[0].approach_rate)) { /* of an external solver */
-    free(positions);
-    curve->positions = positions = NULL;
-    curve->rates = NULL;
-  }
-  for (size_t i = 0; i < count; ++i) {
-    const po_curve_point *p = &result->curve[i];
-    plane[i] = (po_plane_point){p->approach, p->load};
-    plane[count + i] = (po_plane_point){p->approach_rate, p->load_rate};
-    if (positions)
-      positions[i] = p->position;
-  }
-  return PO_OK;
-}
-
 static po_status compare_planes(const po_result *result, const po_reference_point *theirs,
-                                size_t their_count, bool scattered, double tolerance,
+                                size_t count, bool scattered, double tolerance,
                                 po_curve_verdict *verdict) {
-  po_plane_curve ours;
-  po_status status = plane_of(result, &ours);
-  po_plane_point *points = po_allocate(their_count, sizeof *points);
-  if (!points)
-    status = PO_NO_MEMORY;
-  for (size_t i = 0; !status && i < their_count; ++i)
-    points[i] = (po_plane_point){theirs[i].approach, theirs[i].load};
+  po_curve_point *points = po_allocate(count, sizeof *points);
+  po_status status = points ? PO_OK : PO_NO_MEMORY;
+  for (size_t i = 0; points && i < count; ++i)
+    points[i] = (po_curve_point){.approach = theirs[i].approach, .load = theirs[i].load};
+  const po_plane_curve reference = {points, count, false};
+  const po_plane_curve ours = {/* those of an external solver have no rates */
+                               result->curve, result->curve_count,
+                               result->curve_count && !isnan(result->curve->approach_rate)};
   if (!status && scattered)
-    po_curve_scatter(&ours, points, their_count, verdict);
+    po_curve_scatter(&ours, &reference, verdict);
   else if (!status)
-    status = po_curve_compare(&ours, &(po_plane_curve){.points = points, .count = their_count},
-                              tolerance, verdict);
+    status = po_curve_compare(&ours, &reference, tolerance, verdict);
   free(points);
-  free((void *)ours.points);
-  free((void *)ours.positions);
   return status;
 }
 

@@ -40,11 +40,11 @@ static void track_trim(po_track *track, const po_track *other) {
   track->last = first_passage(track, end, other);
   while (track->first < track->last &&
          (track->curve.points[track->first].approach < start ||
-          po_plane_foot(track->curve.points[track->first], &whole).before))
+          po_plane_foot(po_plane_at(&track->curve, track->first), &whole).before))
     track->first += 1;
   while (track->last > track->first &&
          (track->curve.points[track->last].approach > end ||
-          po_plane_foot(track->curve.points[track->last], &whole).beyond))
+          po_plane_foot(po_plane_at(&track->curve, track->last), &whole).beyond))
     track->last -= 1;
 }
 
@@ -64,7 +64,7 @@ static po_status track_find_folds(po_track *track) {
 }
 
 static double chord(const po_track *track, size_t i) {
-  const po_plane_point p = track->curve.points[i], q = track->curve.points[i + 1];
+  const po_plane_point p = po_plane_at(&track->curve, i), q = po_plane_at(&track->curve, i + 1);
   return po_hypot(q.approach - p.approach, q.load - p.load);
 }
 
@@ -119,7 +119,7 @@ static double excess(po_plane_point point, const po_stretch *stretch) {
 static void measure(const po_track *a, const po_track *b, double tolerance,
                     po_curve_verdict *verdict) {
   for (size_t i = a->first; i <= a->last; ++i) {
-    const po_plane_point point = a->curve.points[i];
+    const po_plane_point point = po_plane_at(&a->curve, i);
     const po_stretch stretch = verdict->same_folds ? track_stretch(b, a, track_stretch_of(a, i))
                                                    : po_plane_whole(&b->curve);
     const double distance = excess(point, &stretch);
@@ -137,7 +137,8 @@ static void measure(const po_track *a, const po_track *b, double tolerance,
 }
 
 static double fold_distance(const po_track *a, size_t i, const po_track *b, size_t j) {
-  const po_plane_point p = a->curve.points[a->folds[i]], q = b->curve.points[b->folds[j]];
+  const po_plane_point p = po_plane_at(&a->curve, a->folds[i]),
+                       q = po_plane_at(&b->curve, b->folds[j]);
   return po_hypot(p.approach - q.approach, p.load - q.load);
 }
 
@@ -157,7 +158,7 @@ static void name_fold(const po_track *ours, const po_track *reference, po_curve_
       named = i;
     }
   }
-  const po_plane_point fold = more->curve.points[more->folds[named]];
+  const po_plane_point fold = po_plane_at(&more->curve, more->folds[named]);
   snprintf(verdict->note, sizeof verdict->note,
            "%s fold near approach %.4g, load %.4g (%zu folds, reference %zu)",
            missing ? "missing" : "spurious", fold.approach, fold.load, ours->fold_count,
@@ -193,14 +194,15 @@ done:
   return status;
 }
 
-void po_curve_scatter(const po_plane_curve *ours, const po_plane_point *points, size_t point_count,
+void po_curve_scatter(const po_plane_curve *ours, const po_plane_curve *points,
                       po_curve_verdict *verdict) {
   *verdict = (po_curve_verdict){.same_folds = true};
   if (ours->count < 2)
     return;
   const po_stretch whole = po_plane_whole(ours);
-  for (size_t i = 0; i < point_count; ++i) {
-    const po_foot foot = po_plane_foot(points[i], &whole);
+  for (size_t i = 0; i < points->count; ++i) {
+    const po_plane_point point = po_plane_at(points, i);
+    const po_foot foot = po_plane_foot(point, &whole);
     if (foot.before || foot.beyond) {
       verdict->left_out += 1;
       continue;
@@ -208,7 +210,7 @@ void po_curve_scatter(const po_plane_curve *ours, const po_plane_point *points, 
     verdict->compared += 1;
     if (foot.distance >= verdict->distance) {
       verdict->distance = foot.distance;
-      verdict->where = points[i];
+      verdict->where = point;
     }
   }
 }

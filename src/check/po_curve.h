@@ -30,7 +30,7 @@ po_status po_curve_compare(const po_plane_curve *ours, const po_plane_curve *ref
 /* Compares our curve with points in no order, such as markers read off a figure.
  * Returned: in *verdict, the largest distance of one of these points from our curve; folds are not
  * compared. */
-void po_curve_scatter(const po_plane_curve *ours, const po_plane_point *points, size_t point_count,
+void po_curve_scatter(const po_plane_curve *ours, const po_plane_curve *points,
                       po_curve_verdict *verdict);
 
 #endif

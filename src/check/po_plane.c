@@ -22,17 +22,16 @@ static po_plane_point times(double factor, po_plane_point a) {
 
 /* Returned: the derivative at point i with respect to the length of the chords. */
 static po_plane_point tangent(const po_plane_curve *s, size_t i) {
-  const po_plane_point *p = s->points;
   const size_t middle = i == 0 ? 1 : i == s->count - 1 ? s->count - 2 : i;
-  if (s->count < 3 || length(minus(p[middle], p[middle - 1])) == 0 ||
-      length(minus(p[middle + 1], p[middle])) == 0) {
+  if (s->count < 3 || length(minus(po_plane_at(s, middle), po_plane_at(s, middle - 1))) == 0 ||
+      length(minus(po_plane_at(s, middle + 1), po_plane_at(s, middle))) == 0) {
     const size_t j = i + 1 < s->count ? i : i - 1;
-    const po_plane_point chord = minus(p[j + 1], p[j]);
+    const po_plane_point chord = minus(po_plane_at(s, j + 1), po_plane_at(s, j));
     const double size = length(chord);
     return size > 0 ? (po_plane_point){chord.approach / size, chord.load / size} : chord;
   }
-  const po_plane_point left = minus(p[middle], p[middle - 1]),
-                       right = minus(p[middle + 1], p[middle]);
+  const po_plane_point left = minus(po_plane_at(s, middle), po_plane_at(s, middle - 1)),
+                       right = minus(po_plane_at(s, middle + 1), po_plane_at(s, middle));
   const double l = length(left), r = length(right);
   /* Slopes of the two chords, blended by the parabola through the three points. */
   const double at = i < middle ? -l : i > middle ? r : 0;
@@ -47,10 +46,12 @@ typedef struct {
 } po_cubic;
 
 static po_cubic cubic_of(const po_plane_curve *s, size_t i) {
-  const po_plane_point p = s->points[i], q = s->points[i + 1];
+  const po_plane_point p = po_plane_at(s, i), q = po_plane_at(s, i + 1);
   if (s->rates) {
-    const double step = s->positions[i + 1] - s->positions[i];
-    return (po_cubic){p, q, times(step, s->rates[i]), times(step, s->rates[i + 1])};
+    const po_curve_point *a = &s->points[i], *b = &s->points[i + 1];
+    const double step = b->position - a->position;
+    return (po_cubic){p, q, times(step, (po_plane_point){a->approach_rate, a->load_rate}),
+                      times(step, (po_plane_point){b->approach_rate, b->load_rate})};
   }
   const double size = length(minus(q, p));
   return (po_cubic){p, q, times(size, tangent(s, i)), times(size, tangent(s, i + 1))};
@@ -116,11 +117,11 @@ static double cubic_foot(po_plane_point point, const po_cubic *c, double *foot) 
 }
 
 static size_t nearest_chord(po_plane_point point, const po_stretch *stretch) {
-  const po_plane_point *p = stretch->curve.points;
   size_t nearest = stretch->from;
   double least = (double)INFINITY;
   for (size_t i = stretch->from; i < stretch->to; ++i) {
-    const double distance = chord_distance(point, p[i], p[i + 1]);
+    const double distance =
+        chord_distance(point, po_plane_at(&stretch->curve, i), po_plane_at(&stretch->curve, i + 1));
     if (distance < least) {
       least = distance;
       nearest = i;
@@ -136,7 +137,7 @@ po_stretch po_plane_whole(const po_plane_curve *curve) {
 po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
   const po_plane_curve *curve = &stretch->curve;
   if (stretch->to <= stretch->from)
-    return (po_foot){.distance = length(minus(point, curve->points[stretch->from])),
+    return (po_foot){.distance = length(minus(point, po_plane_at(curve, stretch->from))),
                      .index = stretch->from};
   const size_t nearest = nearest_chord(point, stretch);
   /* The cubic deviates from its chord, so the nearest point may lie in a neighbouring element. */
@@ -162,7 +163,7 @@ po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
 
 /* Returned: the distance of point i from the cubic through its two neighbours on either side. */
 static double omission_error(const po_plane_curve *curve, size_t i) {
-  po_plane_point around[4];
+  po_curve_point around[4];
   size_t count = 0, before = 0;
   for (size_t k = i < 2 ? 0 : i - 2; k <= i + 2 && k < curve->count; ++k) {
     before += k < i;
@@ -172,7 +173,7 @@ static double omission_error(const po_plane_curve *curve, size_t i) {
   if (i >= curve->count || before == 0 || before == count)
     return 0.0;
   const po_stretch across = {{.points = around, .count = count}, before - 1, before};
-  return po_plane_foot(curve->points[i], &across).distance;
+  return po_plane_foot(po_plane_at(curve, i), &across).distance;
 }
 
 double po_plane_uncertainty(const po_plane_curve *curve, size_t index) {

@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_result.h"
+
 typedef struct {
   double approach;
   double load;
@@ -12,11 +14,15 @@ typedef struct {
 
 /* A curve, given by points along it from large separation to contact. */
 typedef struct {
-  const po_plane_point *points;
-  const po_plane_point *rates; /* derivatives of the points by the position; NULL: not known */
-  const double *positions;     /* arclength of the points, ascending; NULL: without rates */
+  const po_curve_point *points;
   size_t count;
+  bool rates; /* the points have positions, ascending, and derivatives by them */
 } po_plane_curve;
+
+/* Returned: a point of a curve. */
+static inline po_plane_point po_plane_at(const po_plane_curve *curve, size_t index) {
+  return (po_plane_point){curve->points[index].approach, curve->points[index].load};
+}
 
 /* A stretch: the part of a curve from point `from` to point `to`. Its interpolation uses the points
  * of the curve outside the stretch as well. */

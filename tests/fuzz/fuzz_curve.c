@@ -39,7 +39,7 @@ static po_status read_ours(const char *path, po_result *result) {
   return PO_OK;
 }
 
-static po_status read_theirs(const char *path, po_plane_point **points, size_t *count) {
+static po_status read_theirs(const char *path, po_curve_point **points, size_t *count) {
   po_csv csv;
   po_status status = po_csv_read(path, "theirs.csv", &csv);
   if (status)
@@ -71,7 +71,7 @@ static const double TINY_EXTENT = 1e-140;
 
 /* The diagonal of the box around a curve. */
 static double extent(const po_plane_curve *curve) {
-  po_plane_point least = curve->points[0], most = least;
+  po_plane_point least = po_plane_at(curve, 0), most = least;
   for (size_t i = 1; i < curve->count; ++i) {
     least.approach = fmin(least.approach, curve->points[i].approach);
     least.load = fmin(least.load, curve->points[i].load);
@@ -102,9 +102,10 @@ static const double ASIDE = 1000;
 static void require_apart(const po_plane_curve *curve) {
   po_curve_verdict verdict;
   const double size = extent(curve);
-  po_plane_point *moved = po_allocate(curve->count, sizeof *moved);
+  po_curve_point *moved = po_allocate(curve->count, sizeof *moved);
   for (size_t i = 0; i < curve->count; ++i)
-    moved[i] = (po_plane_point){curve->points[i].approach, curve->points[i].load + ASIDE * size};
+    moved[i] = (po_curve_point){.approach = curve->points[i].approach,
+                                .load = curve->points[i].load + ASIDE * size};
   const po_plane_curve other = {.points = moved, .count = curve->count};
   if (curve->count >= 2 && size >= TINY_EXTENT) {
     fuzz_require(po_curve_compare(curve, &other, 0, &verdict) == PO_OK,
@@ -118,17 +119,9 @@ static void require_apart(const po_plane_curve *curve) {
 
 static void compare(const po_result *result, const po_plane_curve *theirs) {
   const size_t count = result->curve_count;
-  po_plane_point *points = po_allocate(2 * count, sizeof *points);
-  double *positions = po_allocate(count, sizeof *positions);
   po_curve_verdict verdict;
-  for (size_t i = 0; i < count; ++i) {
-    const po_curve_point *p = &result->curve[i];
-    points[i] = (po_plane_point){p->approach, p->load};
-    points[count + i] = (po_plane_point){p->approach_rate, p->load_rate};
-    positions[i] = p->position;
-  }
-  const po_plane_curve plain = {.points = points, .count = count};
-  const po_plane_curve ours = {points, points + count, positions, count};
+  const po_plane_curve plain = {.points = result->curve, .count = count};
+  const po_plane_curve ours = {result->curve, count, true};
   if (count > 0) {
     require_self(&plain);
     require_apart(&plain);
@@ -136,10 +129,8 @@ static void compare(const po_result *result, const po_plane_curve *theirs) {
   fuzz_require(po_curve_compare(&ours, theirs, 1e-3, &verdict) == PO_OK,
                "curves cannot be compared");
   require_verdict(&verdict, theirs->count);
-  po_curve_scatter(&ours, theirs->points, theirs->count, &verdict);
+  po_curve_scatter(&ours, theirs, &verdict);
   require_verdict(&verdict, theirs->count);
-  free(points);
-  free(positions);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -147,7 +138,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const size_t count = fuzz_split(data, size, parts, 2);
   const char *ours = fuzz_path("curve.csv"), *theirs = fuzz_path("theirs.csv");
   po_result result = {0};
-  po_plane_point *points = NULL;
+  po_curve_point *points = NULL;
   size_t point_count = 0;
   fuzz_write(ours, parts[0].bytes, parts[0].size);
   fuzz_write(theirs, parts[1].bytes, count > 1 ? parts[1].size : 0);

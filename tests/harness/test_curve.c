@@ -8,16 +8,19 @@
 #include "run.h"
 
 enum { MOST = 1000 };
-static po_plane_point ours[MOST], theirs[MOST], rates[MOST];
-static double positions[MOST];
+static po_curve_point ours[MOST], theirs[MOST];
+
+static po_curve_point point_at(double approach, double load) {
+  return (po_curve_point){.approach = approach, .load = load};
+}
 
 /* approach = 3 s^3 - s, load = -2 + 2 s + s^2 / 2: folds at s = -1/3 and 1/3. Points are at
  * different places on the two curves, so that only the curves themselves can agree. */
-static size_t s_curve(po_plane_point *points, size_t count, double from, double to, double shift) {
+static size_t s_curve(po_curve_point *points, size_t count, double from, double to, double shift) {
   for (size_t i = 0; i < count; ++i) {
     const double t = (double)i / (double)(count - 1);
     const double s = from + (to - from) * (t + 0.05 * sin(9 * t) * t * (1 - t));
-    points[i] = (po_plane_point){3 * s * s * s - s + shift, -2 + 2 * s + 0.5 * s * s};
+    points[i] = point_at(3 * s * s * s - s + shift, -2 + 2 * s + 0.5 * s * s);
   }
   return count;
 }
@@ -39,16 +42,17 @@ static po_curve_verdict compare(size_t count, size_t reference_count, double tol
 static po_plane_curve with_rates(size_t count) {
   for (size_t i = 0; i < count; ++i) {
     const double s = 2 * (sqrt(1 + (ours[i].load + 2) / 2) - 1); /* load = -2 + 2 s + s^2 / 2 */
-    positions[i] = sinh(s);
-    rates[i] = (po_plane_point){(9 * s * s - 1) / cosh(s), (2 + s) / cosh(s)};
+    ours[i].position = sinh(s);
+    ours[i].approach_rate = (9 * s * s - 1) / cosh(s);
+    ours[i].load_rate = (2 + s) / cosh(s);
   }
-  return (po_plane_curve){ours, rates, positions, count};
+  return (po_plane_curve){ours, count, true};
 }
 
 START_TEST(distance_from_a_circle) {
-  po_plane_point circle[41];
+  po_curve_point circle[41];
   for (int i = 0; i < 41; ++i)
-    circle[i] = (po_plane_point){2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i)};
+    circle[i] = point_at(2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i));
   const po_plane_curve curve = {.points = circle, .count = 41};
   const po_stretch stretch = po_plane_whole(&curve);
   for (double angle = 0.11; angle < 1.8; angle += 0.17) {
@@ -62,14 +66,14 @@ END_TEST
 
 /* With rates, the error of a cubic along a circle is angle^4/384 of the radius. */
 START_TEST(distance_from_a_circle_with_rates) {
-  po_plane_point circle[41], along[41];
-  double angle_of[41];
+  po_curve_point circle[41];
   for (int i = 0; i < 41; ++i) {
-    angle_of[i] = 0.05 * i;
-    circle[i] = (po_plane_point){2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i)};
-    along[i] = (po_plane_point){-2.385 * sin(0.05 * i), 2.385 * cos(0.05 * i)};
+    circle[i] = point_at(2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i));
+    circle[i].position = 0.05 * i;
+    circle[i].approach_rate = -2.385 * sin(0.05 * i);
+    circle[i].load_rate = 2.385 * cos(0.05 * i);
   }
-  const po_plane_curve curve = {circle, along, angle_of, 41};
+  const po_plane_curve curve = {circle, 41, true};
   const po_stretch whole = po_plane_whole(&curve);
   const double error = 2.385 * pow(0.05, 4) / 384;
   double largest = 0;
@@ -85,10 +89,10 @@ END_TEST
 
 /* Without rates, the uncertainty exceeds the error of the interpolation. */
 START_TEST(interpolation_error_is_below_its_uncertainty) {
-  po_plane_point circle[41];
+  po_curve_point circle[41];
   double largest = 0, uncertainty = 0;
   for (int i = 0; i < 41; ++i)
-    circle[i] = (po_plane_point){2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i)};
+    circle[i] = point_at(2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i));
   const po_plane_curve curve = {.points = circle, .count = 41};
   const po_stretch whole = po_plane_whole(&curve);
   for (double angle = 0.003; angle < 2; angle += 0.0072) {
@@ -155,11 +159,11 @@ END_TEST
 
 /* approach = s + 2 sin 2s, load = s/5 - cos 2s: one pair of folds a wave, and every later stretch
  * crosses back below the approach the shorter curve ends at. */
-static size_t wavy_curve(po_plane_point *points, size_t count, double to) {
+static size_t wavy_curve(po_curve_point *points, size_t count, double to) {
   for (size_t i = 0; i < count; ++i) {
     const double t = (double)i / (double)(count - 1);
     const double s = to * (t + 0.02 * sin(9 * t) * t * (1 - t));
-    points[i] = (po_plane_point){s + 2 * sin(2 * s), 0.2 * s - cos(2 * s)};
+    points[i] = point_at(s + 2 * sin(2 * s), 0.2 * s - cos(2 * s));
   }
   return count;
 }
@@ -227,18 +231,18 @@ static const struct {
 } BESIDE[] = {{101, true}, {102, true}, {101, false}, {102, false}};
 
 static int along(const void *a, const void *b) {
-  const double x = ((const po_plane_point *)a)->load, y = ((const po_plane_point *)b)->load;
+  const double x = ((const po_curve_point *)a)->load, y = ((const po_curve_point *)b)->load;
   return (x > y) - (x < y);
 }
 
-static size_t add_point(po_plane_point *points, size_t count, double s) {
-  points[count] = (po_plane_point){3 * s * s * s - s, -2 + 2 * s + 0.5 * s * s};
+static size_t add_point(po_curve_point *points, size_t count, double s) {
+  points[count] = point_at(3 * s * s * s - s, -2 + 2 * s + 0.5 * s * s);
   return count + 1;
 }
 
 START_TEST(points_close_to_a_fold_do_not_matter) {
-  po_plane_point *dense = BESIDE[_i].reference_is_coarse ? ours : theirs;
-  po_plane_point *coarse = BESIDE[_i].reference_is_coarse ? theirs : ours;
+  po_curve_point *dense = BESIDE[_i].reference_is_coarse ? ours : theirs;
+  po_curve_point *coarse = BESIDE[_i].reference_is_coarse ? theirs : ours;
   size_t n = 0, m = 0;
   for (size_t i = 0; i < 400; ++i)
     n = add_point(dense, n, -1 + (double)i / 199.5);
@@ -265,20 +269,20 @@ START_TEST(markers_need_no_order) {
   for (size_t i = 0; i < markers; ++i)
     s_curve(&theirs[i], 2, at[i], at[i], 0);
   theirs[2].load += 0.0385; /* where the slope dW/d(approach) is 0.46: 0.035 along the normal */
-  theirs[markers] = (po_plane_point){-2.5, -4.2};
-  theirs[markers + 1] = (po_plane_point){2.385, 0.9};
+  theirs[markers] = point_at(-2.5, -4.2);
+  theirs[markers + 1] = point_at(2.385, 0.9);
   const po_plane_curve curve = {.points = ours, .count = n};
   po_curve_verdict found;
-  po_curve_scatter(&curve, theirs, markers + 2, &found);
+  po_curve_scatter(&curve, &(po_plane_curve){.points = theirs, .count = markers + 2}, &found);
   ck_assert_uint_eq(found.compared, markers);
   ck_assert_uint_eq(found.left_out, 2);
   const double slope = (2 + 0.9) / (9 * 0.9 * 0.9 - 1);
   ck_assert_double_eq_tol(found.distance, 0.0385 / hypot(1, slope), 2e-4);
   ck_assert_double_eq(found.where.load, theirs[2].load);
   theirs[2].load -= 0.0385;
-  po_curve_scatter(&curve, theirs, markers + 2, &found);
+  po_curve_scatter(&curve, &(po_plane_curve){.points = theirs, .count = markers + 2}, &found);
   ck_assert_double_lt(found.distance, 1e-5);
-  po_curve_scatter(&curve, theirs + markers, 2, &found);
+  po_curve_scatter(&curve, &(po_plane_curve){.points = theirs + markers, .count = 2}, &found);
   ck_assert_uint_eq(found.compared, 0);
 }
 END_TEST
@@ -290,12 +294,12 @@ START_TEST(numbers_too_large_to_compare_do_not_agree) {
   for (size_t i = 0; i < n; ++i) {
     ours[i].approach *= 1e200;
     ours[i].load *= 1e200;
-    theirs[i] = (po_plane_point){ours[i].approach, 1.1 * ours[i].load};
+    theirs[i] = point_at(ours[i].approach, 1.1 * ours[i].load);
   }
   ck_assert_double_gt(compare(n, n, 1e198).distance, 1e198);
   const po_plane_curve curve = {.points = ours, .count = n};
   po_curve_verdict found;
-  po_curve_scatter(&curve, theirs, n, &found);
+  po_curve_scatter(&curve, &(po_plane_curve){.points = theirs, .count = n}, &found);
   ck_assert_double_gt(found.distance, 1e198);
 }
 END_TEST
