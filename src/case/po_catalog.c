@@ -13,28 +13,29 @@
 /* The ending of the name of a case file. */
 static const char ENDING[] = ".yaml";
 
-static po_case *find(const po_catalog *catalog, const char *name) {
+/* Returned: where the case with a name is in a catalog; NULL: it has none. */
+static po_case **find(const po_catalog *catalog, const char *name) {
   for (size_t i = 0; i < catalog->count; ++i)
     if (strcmp(catalog->cases[i]->file->name, name) == 0)
-      return catalog->cases[i];
+      return &catalog->cases[i];
   return NULL;
 }
 
 /* Adds a case and takes ownership of it. Records and pins are stored under the name, so no other
  * case of this catalog, or of `other` (may be NULL), may have it. */
 static po_status add(po_catalog *catalog, const po_catalog *other, po_case *kase) {
-  const po_case *twin = find(catalog, kase->file->name);
+  po_case **twin = find(catalog, kase->file->name), **cases = NULL;
   if (!twin && other)
     twin = find(other, kase->file->name);
-  po_status status = PO_OK;
+  po_status status = PO_NO_MEMORY;
   if (twin)
     status = po_fail(PO_BAD_INPUT, "%s: name is %s: expected another name, as %s has this one",
-                     kase->shown, kase->file->name, twin->shown);
-  po_case **cases =
-      status ? NULL : po_resize(catalog->cases, catalog->count + 1, sizeof(po_case *));
+                     kase->shown, kase->file->name, (*twin)->shown);
+  else
+    cases = po_resize(catalog->cases, catalog->count + 1, sizeof *cases);
   if (!cases) {
     po_case_destroy(kase);
-    return status ? status : PO_NO_MEMORY;
+    return status;
   }
   catalog->cases = cases;
   cases[catalog->count++] = kase;
@@ -64,15 +65,18 @@ static po_status read_folder(const char *folder, bool strict, po_catalog *catalo
   return strict || status == PO_NO_MEMORY ? status : PO_OK;
 }
 
+static bool has_ending(const char *name) {
+  const size_t length = strlen(name), tail = strlen(ENDING);
+  return length > tail && strcmp(name + length - tail, ENDING) == 0;
+}
+
 /* Reports whether a path leads to a case file in the folder of cases; the same file may be written
  * in several ways. */
 static bool is_in_folder(const char *folder, const char *path) {
   const char *slash = strrchr(path, '/');
   const char *name = slash ? slash + 1 : path;
-  const size_t length = strlen(name), tail = strlen(ENDING);
   char *there = po_path_join(folder, name);
-  const bool found = there && name[0] != '.' && length > tail &&
-                     strcmp(name + length - tail, ENDING) == 0 && po_path_is_same(path, there);
+  const bool found = there && name[0] != '.' && has_ending(name) && po_path_is_same(path, there);
   free(there);
   return found;
 }
@@ -96,22 +100,18 @@ static po_status read_given(const char *folder, const po_catalog *all, const cha
   po_status status = po_case_read(path, path, &kase);
   if (status)
     return status;
-  if (is_in_folder(folder, path) && find(catalog, kase->file->name)) {
-    po_case_destroy(kase); /* requested twice */
-    return PO_OK;
-  }
-  if (is_in_folder(folder, path))
-    return add(catalog, NULL, kase);
-  status = case_set_own(kase);
-  if (!status)
-    return add(catalog, all, kase);
+  const bool built_in = is_in_folder(folder, path);
+  const bool again = built_in && find(catalog, kase->file->name); /* requested twice */
+  if (!built_in)
+    status = case_set_own(kase);
+  if (!status && !again)
+    return add(catalog, built_in ? NULL : all, kase);
   po_case_destroy(kase);
   return status;
 }
 
 static bool is_path(const char *name) {
-  const size_t length = strlen(name), tail = strlen(ENDING);
-  return strchr(name, '/') || (length > tail && strcmp(name + length - tail, ENDING) == 0);
+  return strchr(name, '/') || has_ending(name);
 }
 
 /* Refuses a name that is not among the known ones, which are cleared. */
@@ -135,14 +135,13 @@ static po_status refuse_name(const po_catalog *all, const char *name) {
 static po_status move(po_catalog *from, const char *name, po_catalog *to) {
   if (find(to, name))
     return PO_OK; /* requested twice */
-  for (size_t i = 0; i < from->count; ++i)
-    if (strcmp(from->cases[i]->file->name, name) == 0) {
-      po_case *kase = from->cases[i];
-      memmove(&from->cases[i], &from->cases[i + 1], (from->count - i - 1) * sizeof *from->cases);
-      from->count -= 1;
-      return add(to, NULL, kase);
-    }
-  return refuse_name(from, name);
+  po_case **place = find(from, name);
+  if (!place)
+    return refuse_name(from, name);
+  po_case *kase = *place;
+  from->count -= 1;
+  memmove(place, place + 1, (size_t)(from->cases + from->count - place) * sizeof *place);
+  return add(to, NULL, kase);
 }
 
 /* The suites that run only when they are named, because they take long. */

@@ -56,10 +56,8 @@ static po_status bless(const po_session *session, const char *reason) {
   char who[128];
   po_text report = {0};
   po_status status = find_who(who);
-  for (size_t r = 0; !status && r < session->run_count; ++r)
-    status = po_bless_check(&session->runs[r], reason);
-  for (size_t r = 0; !status && r < session->run_count; ++r)
-    status = po_bless(&session->runs[r], who, reason, &report);
+  if (!status)
+    status = po_bless(session->runs, session->run_count, who, reason, &report);
   if (!status)
     fputs(po_text_string(&report), stdout);
   po_text_clear(&report);

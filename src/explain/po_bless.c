@@ -193,11 +193,6 @@ po_status po_bless_check_request(const po_plan *plan, const char *reason) {
   return check_reason(reason);
 }
 
-po_status po_bless_check(const po_case_run *run, const char *reason) {
-  const po_status status = po_bless_check_request(run->plan, reason);
-  return status ? status : check_results(run);
-}
-
 /* The numbers of new, changed and removed pins. */
 typedef struct {
   size_t new, moved, dropped;
@@ -390,11 +385,16 @@ static po_status bless_digests(const po_case_run *run, const char *who, const ch
   return status;
 }
 
-po_status po_bless(const po_case_run *run, const char *who, const char *reason, po_text *report) {
-  po_status status = po_bless_check(run, reason);
-  if (!status && old_pins(run->plan))
-    status = bless_pins(run, who, reason, report);
-  if (!status && !run->plan->solver)
-    status = bless_digests(run, who, reason, report);
+po_status po_bless(const po_case_run *runs, size_t count, const char *who, const char *reason,
+                   po_text *report) {
+  po_status status = PO_OK;
+  for (size_t r = 0; !status && r < count; ++r)
+    status = check_results(&runs[r]);
+  for (size_t r = 0; !status && r < count; ++r) {
+    if (old_pins(runs[r].plan))
+      status = bless_pins(&runs[r], who, reason, report);
+    if (!status && !runs[r].plan->solver)
+      status = bless_digests(&runs[r], who, reason, report);
+  }
   return status ? status : report->failed ? PO_NO_MEMORY : PO_OK;
 }
