@@ -286,8 +286,10 @@ po_status po_case_read(const char *path, const char *shown, po_case **result) {
     status = po_file_read(path, &kase->source, &kase->source_size);
   if (!status)
     status = po_yaml_create(shown, kase->source, kase->source_size, &yaml);
+  if (!status && !(kase->file = po_allocate(1, sizeof *kase->file)))
+    status = PO_NO_MEMORY;
   if (!status)
-    status = po_schema_load(yaml, &kase->file);
+    status = po_fields_load(yaml, PO_CASE_FIELDS, kase->file);
   if (!status)
     status = parse(kase, yaml);
   po_yaml_destroy(yaml);
@@ -312,9 +314,11 @@ void po_case_destroy(po_case *kase) {
   for (size_t i = 0; kase->points && i < kase->point_count; ++i)
     free(kase->points[i].label);
   free(kase->points);
-  if (kase->file)
+  if (kase->file) {
     po_case_each_axis(kase, NULL, clear_axis);
-  po_schema_free(kase->file);
+    po_fields_clear(PO_CASE_FIELDS, kase->file);
+  }
+  free(kase->file);
   free(kase->source);
   free(kase->word);
   free(kase->shown);

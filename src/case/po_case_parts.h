@@ -3,14 +3,11 @@
 #define PO_CASE_PARTS_H
 
 #include "po_case.h"
+#include "po_fields.h"
 #include "po_text.h"
-#include "po_yaml.h"
 
-/* Fills the structs of a case from its file. Whatever the status, po_schema_free must free *file.
- * Status: PO_BAD_INPUT; the message states file, line, path, value and what was expected.
- * PO_NO_MEMORY. */
-po_status po_schema_load(const po_yaml *yaml, po_case_file **file);
-void po_schema_free(po_case_file *file);
+/* The fields of po_case_file: the schema of case files. */
+extern const po_field PO_CASE_FIELDS[];
 
 /* Calls po_yaml_refuse for the path that `format` and its arguments give.
  * Given: `expected`, the permitted values; NULL: those of the schema, e.g. "abs, rel or ulp" for

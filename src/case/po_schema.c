@@ -1,9 +1,7 @@
 #include <stdarg.h>
-#include <stdlib.h>
 
 #include "po_case_parts.h"
 #include "po_field_table.h"
-#include "po_memory.h"
 
 static const char A_KEY[] = "a key of the scene", VALUES[] = "a list of values",
                   WHEN[] = "a list of {key, values}", COUNT[] = "a whole number from 2 to 10000",
@@ -127,7 +125,7 @@ static const po_field MEASURE[] = {
     {0},
 };
 
-static const po_field CASE[] = {
+const po_field PO_CASE_FIELDS[] = {
     TEXT("name", po_case_file, name, NAME),
     TEXT("title", po_case_file, title, "a line of text"),
     OPTIONAL_TEXT("figure", po_case_file, figure, "the number of a figure"),
@@ -157,18 +155,7 @@ static const po_field CASE[] = {
 po_status po_schema_refuse(const po_yaml *yaml, const char *expected, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
-  const po_status status = po_fields_refuse(yaml, CASE, expected, format, arguments);
+  const po_status status = po_fields_refuse(yaml, PO_CASE_FIELDS, expected, format, arguments);
   va_end(arguments);
   return status;
-}
-
-po_status po_schema_load(const po_yaml *yaml, po_case_file **file) {
-  *file = po_allocate(1, sizeof **file);
-  return *file ? po_fields_load(yaml, CASE, *file) : PO_NO_MEMORY;
-}
-
-void po_schema_free(po_case_file *file) {
-  if (file)
-    po_fields_clear(CASE, file);
-  free(file);
 }

@@ -59,7 +59,7 @@ static po_status compare_single(const po_compare_input *c) {
 }
 
 static po_status compare_planes(const po_result *result, const po_reference_point *theirs,
-                                size_t count, bool scattered, double tolerance,
+                                size_t count, bool ordered, double tolerance,
                                 po_curve_verdict *verdict) {
   po_curve_point *points = po_allocate(count, sizeof *points);
   po_status status = points ? PO_OK : PO_NO_MEMORY;
@@ -69,10 +69,8 @@ static po_status compare_planes(const po_result *result, const po_reference_poin
   const po_plane_curve ours = {/* those of an external solver have no rates */
                                result->curve, result->curve_count,
                                result->curve_count && !isnan(result->curve->approach_rate)};
-  if (!status && scattered)
-    po_curve_scatter(&ours, &reference, verdict);
-  else if (!status)
-    status = po_curve_compare(&ours, &reference, tolerance, verdict);
+  if (!status)
+    status = po_curve_compare(&ours, &reference, ordered, tolerance, verdict);
   free(points);
   return status;
 }
@@ -90,7 +88,7 @@ static po_status compare_curve(const po_compare_input *c) {
         fmax(uncertainty, fmax(theirs[i].approach_uncertainty, theirs[i].load_uncertainty));
   if (known)
     /* published points are markers read off a figure, which are not in the order of the branch */
-    status = compare_planes(c->result, theirs, count, c->reference->ledger == PO_LEDGER_PUBLISHED,
+    status = compare_planes(c->result, theirs, count, c->reference->ledger != PO_LEDGER_PUBLISHED,
                             c->check->tolerance, &found);
   free(theirs);
   if (status && status != PO_NOT_FOUND)

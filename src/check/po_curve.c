@@ -165,10 +165,34 @@ static void name_fold(const po_track *ours, const po_track *reference, po_curve_
            reference->fold_count);
 }
 
+/* Finds the largest distance of points in no order from our curve. */
+static void scatter(const po_plane_curve *ours, const po_plane_curve *points,
+                    po_curve_verdict *verdict) {
+  *verdict = (po_curve_verdict){.same_folds = true};
+  if (ours->count < 2)
+    return;
+  const po_stretch whole = po_plane_whole(ours);
+  for (size_t i = 0; i < points->count; ++i) {
+    const po_plane_point point = po_plane_at(points, i);
+    const po_foot foot = po_plane_foot(point, &whole);
+    if (foot.before || foot.beyond) {
+      verdict->left_out += 1;
+      continue;
+    }
+    verdict->compared += 1;
+    if (foot.distance >= verdict->distance) {
+      verdict->distance = foot.distance;
+      verdict->where = point;
+    }
+  }
+}
+
 po_status po_curve_compare(const po_plane_curve *ours, const po_plane_curve *reference,
-                           double tolerance, po_curve_verdict *verdict) {
+                           bool ordered, double tolerance, po_curve_verdict *verdict) {
   *verdict = (po_curve_verdict){0};
-  if (ours->count < 2 || reference->count < 2)
+  if (!ordered)
+    scatter(ours, reference, verdict);
+  if (!ordered || ours->count < 2 || reference->count < 2)
     return PO_OK;
   po_track a = {.curve = *ours}, b = {.curve = *reference};
   track_trim(&a, &b);
@@ -192,25 +216,4 @@ done:
   free(a.folds);
   free(b.folds);
   return status;
-}
-
-void po_curve_scatter(const po_plane_curve *ours, const po_plane_curve *points,
-                      po_curve_verdict *verdict) {
-  *verdict = (po_curve_verdict){.same_folds = true};
-  if (ours->count < 2)
-    return;
-  const po_stretch whole = po_plane_whole(ours);
-  for (size_t i = 0; i < points->count; ++i) {
-    const po_plane_point point = po_plane_at(points, i);
-    const po_foot foot = po_plane_foot(point, &whole);
-    if (foot.before || foot.beyond) {
-      verdict->left_out += 1;
-      continue;
-    }
-    verdict->compared += 1;
-    if (foot.distance >= verdict->distance) {
-      verdict->distance = foot.distance;
-      verdict->where = point;
-    }
-  }
 }

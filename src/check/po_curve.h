@@ -21,16 +21,12 @@ typedef struct {
  * agree, corresponding stretches are compared; otherwise each point is compared with the whole of
  * the other curve. If the reference has no rates, the uncertainty of its interpolation is
  * subtracted from each distance.
- * Given: `tolerance`; a point at a larger distance than this that lies on another stretch of the
+ * Given: `ordered`; false: the points of the reference have no order, such as markers read off a
+ * figure. Only their distances from our curve are found then, and folds are not compared;
+ * `tolerance`; a point at a larger distance than this that lies on another stretch of the
  * reference is reported as a different branch.
  * Status: PO_OK, PO_NO_MEMORY. */
 po_status po_curve_compare(const po_plane_curve *ours, const po_plane_curve *reference,
-                           double tolerance, po_curve_verdict *verdict);
-
-/* Compares our curve with points in no order, such as markers read off a figure.
- * Returned: in *verdict, the largest distance of one of these points from our curve; folds are not
- * compared. */
-void po_curve_scatter(const po_plane_curve *ours, const po_plane_curve *points,
-                      po_curve_verdict *verdict);
+                           bool ordered, double tolerance, po_curve_verdict *verdict);
 
 #endif

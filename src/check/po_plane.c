@@ -130,10 +130,6 @@ static size_t nearest_chord(po_plane_point point, const po_stretch *stretch) {
   return nearest;
 }
 
-po_stretch po_plane_whole(const po_plane_curve *curve) {
-  return (po_stretch){*curve, 0, curve->count - 1};
-}
-
 po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
   const po_plane_curve *curve = &stretch->curve;
   if (stretch->to <= stretch->from)

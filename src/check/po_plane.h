@@ -40,7 +40,9 @@ typedef struct {
 } po_foot;
 
 /* Returned: the stretch that is the whole curve. */
-po_stretch po_plane_whole(const po_plane_curve *curve);
+static inline po_stretch po_plane_whole(const po_plane_curve *curve) {
+  return (po_stretch){*curve, 0, curve->count - 1};
+}
 
 /* Finds the nearest point of a stretch. Between two points the curve is the Hermite cubic in the
  * position with the given rates. Without rates it is the Hermite cubic in the length of the chords,

@@ -87,7 +87,7 @@ static void require_self(const po_plane_curve *curve) {
   po_curve_verdict verdict;
   if (curve->count < 2 || extent(curve) > HUGE_EXTENT || extent(curve) < TINY_EXTENT)
     return;
-  fuzz_require(po_curve_compare(curve, curve, 1e-9, &verdict) == PO_OK,
+  fuzz_require(po_curve_compare(curve, curve, true, 1e-9, &verdict) == PO_OK,
                "a curve cannot be compared");
   require_verdict(&verdict, curve->count);
   fuzz_require(verdict.compared == 0 || verdict.same_folds, "a curve has other folds than itself");
@@ -108,7 +108,7 @@ static void require_apart(const po_plane_curve *curve) {
                                 .load = curve->points[i].load + ASIDE * size};
   const po_plane_curve other = {.points = moved, .count = curve->count};
   if (curve->count >= 2 && size >= TINY_EXTENT) {
-    fuzz_require(po_curve_compare(curve, &other, 0, &verdict) == PO_OK,
+    fuzz_require(po_curve_compare(curve, &other, true, 0, &verdict) == PO_OK,
                  "a curve cannot be compared");
     require_verdict(&verdict, curve->count);
     fuzz_require(verdict.compared == 0 || verdict.distance > 0,
@@ -126,10 +126,11 @@ static void compare(const po_result *result, const po_plane_curve *theirs) {
     require_self(&plain);
     require_apart(&plain);
   }
-  fuzz_require(po_curve_compare(&ours, theirs, 1e-3, &verdict) == PO_OK,
+  fuzz_require(po_curve_compare(&ours, theirs, true, 1e-3, &verdict) == PO_OK,
                "curves cannot be compared");
   require_verdict(&verdict, theirs->count);
-  po_curve_scatter(&ours, theirs, &verdict);
+  fuzz_require(po_curve_compare(&ours, theirs, false, 1e-3, &verdict) == PO_OK,
+               "curves cannot be compared");
   require_verdict(&verdict, theirs->count);
 }
 

@@ -29,7 +29,7 @@ static po_curve_verdict compare_curves(const po_plane_curve *a, size_t reference
                                        double tolerance) {
   const po_plane_curve b = {.points = theirs, .count = reference_count};
   po_curve_verdict verdict;
-  ck_assert_int_eq(po_curve_compare(a, &b, tolerance, &verdict), PO_OK);
+  ck_assert_int_eq(po_curve_compare(a, &b, true, tolerance, &verdict), PO_OK);
   return verdict;
 }
 
@@ -273,16 +273,25 @@ START_TEST(markers_need_no_order) {
   theirs[markers + 1] = point_at(2.385, 0.9);
   const po_plane_curve curve = {.points = ours, .count = n};
   po_curve_verdict found;
-  po_curve_scatter(&curve, &(po_plane_curve){.points = theirs, .count = markers + 2}, &found);
+  ck_assert_int_eq(po_curve_compare(&curve,
+                                    &(po_plane_curve){.points = theirs, .count = markers + 2},
+                                    false, 1, &found),
+                   PO_OK);
   ck_assert_uint_eq(found.compared, markers);
   ck_assert_uint_eq(found.left_out, 2);
   const double slope = (2 + 0.9) / (9 * 0.9 * 0.9 - 1);
   ck_assert_double_eq_tol(found.distance, 0.0385 / hypot(1, slope), 2e-4);
   ck_assert_double_eq(found.where.load, theirs[2].load);
   theirs[2].load -= 0.0385;
-  po_curve_scatter(&curve, &(po_plane_curve){.points = theirs, .count = markers + 2}, &found);
+  ck_assert_int_eq(po_curve_compare(&curve,
+                                    &(po_plane_curve){.points = theirs, .count = markers + 2},
+                                    false, 1, &found),
+                   PO_OK);
   ck_assert_double_lt(found.distance, 1e-5);
-  po_curve_scatter(&curve, &(po_plane_curve){.points = theirs + markers, .count = 2}, &found);
+  ck_assert_int_eq(po_curve_compare(&curve,
+                                    &(po_plane_curve){.points = theirs + markers, .count = 2},
+                                    false, 1, &found),
+                   PO_OK);
   ck_assert_uint_eq(found.compared, 0);
 }
 END_TEST
@@ -299,7 +308,9 @@ START_TEST(numbers_too_large_to_compare_do_not_agree) {
   ck_assert_double_gt(compare(n, n, 1e198).distance, 1e198);
   const po_plane_curve curve = {.points = ours, .count = n};
   po_curve_verdict found;
-  po_curve_scatter(&curve, &(po_plane_curve){.points = theirs, .count = n}, &found);
+  ck_assert_int_eq(
+      po_curve_compare(&curve, &(po_plane_curve){.points = theirs, .count = n}, false, 1, &found),
+      PO_OK);
   ck_assert_double_gt(found.distance, 1e198);
 }
 END_TEST
