@@ -72,27 +72,30 @@ static po_status check_columns(const po_csv *table) {
   return status;
 }
 
-static po_status read_table(po_reference *reference) {
-  po_status status = po_reference_read(reference->path, reference->shown, reference);
-  if (!status && reference->ledger != PO_LEDGER_PIN)
-    status = po_fail(PO_CANNOT_READ, "%s: kind is %s: expected pin", reference->shown,
-                     po_ledger_name(reference->ledger));
-  return status ? status : check_columns(&reference->table);
+/* Opens the table beside a case file whose name ends in `ending`, and checks its columns. */
+static po_status open_table(const po_case *kase, const char *solver, const char *ending,
+                            po_status (*check)(const po_csv *table), po_reference *pins) {
+  pins->path = path_of(kase->path, kase->file->name, solver, ending);
+  pins->shown = path_of(kase->shown, kase->file->name, solver, ending);
+  po_status status = pins->path && pins->shown ? PO_OK : PO_NO_MEMORY;
+  po_digest_bytes("", 0, pins->digest);
+  if (!status && po_path_exists(pins->path)) {
+    status = po_reference_read(pins->path, pins->shown, pins);
+    if (!status && pins->ledger != PO_LEDGER_PIN)
+      status = po_fail(PO_CANNOT_READ, "%s: kind is %s: expected pin", pins->shown,
+                       po_ledger_name(pins->ledger));
+    if (!status)
+      status = check(&pins->table);
+  }
+  if (status)
+    po_reference_close(pins);
+  return status;
 }
 
 po_status po_pins_open(const po_case *kase, const char *name, const char *solver,
                        po_reference *reference) {
   *reference = (po_reference){.name = name, .ledger = PO_LEDGER_PIN, .type = PO_REFERENCE_PINS};
-  reference->path = path_of(kase->path, kase->file->name, solver, ".csv");
-  reference->shown = path_of(kase->shown, kase->file->name, solver, ".csv");
-  po_status status = reference->path && reference->shown ? PO_OK : PO_NO_MEMORY;
-  if (!status && !po_path_exists(reference->path))
-    po_digest_bytes("", 0, reference->digest);
-  else if (!status)
-    status = read_table(reference);
-  if (status)
-    po_reference_close(reference);
-  return status;
+  return open_table(kase, solver, ".csv", check_columns, reference);
 }
 
 bool po_pins_exist(const po_reference *pins) {
@@ -158,17 +161,7 @@ static po_status check_digest_columns(const po_csv *table) {
 
 po_status po_digests_open(const po_case *kase, po_reference *digests) {
   *digests = (po_reference){.name = "digests", .type = PO_REFERENCE_PINS};
-  digests->path = path_of(kase->path, kase->file->name, NULL, ".digests.csv");
-  digests->shown = path_of(kase->shown, kase->file->name, NULL, ".digests.csv");
-  po_status status = digests->path && digests->shown ? PO_OK : PO_NO_MEMORY;
-  if (!status && po_path_exists(digests->path)) {
-    status = po_reference_read(digests->path, digests->shown, digests);
-    if (!status)
-      status = check_digest_columns(&digests->table);
-  }
-  if (status)
-    po_reference_close(digests);
-  return status;
+  return open_table(kase, NULL, ".digests.csv", check_digest_columns, digests);
 }
 
 po_status po_digests_find(const po_reference *digests, size_t point, const char *id,
