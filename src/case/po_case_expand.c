@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -353,9 +354,40 @@ static po_status keep_points(po_case *kase, const po_yaml *yaml) {
   return kept ? PO_OK : po_schema_refuse(yaml, "rules that do not exclude all points", "leave_out");
 }
 
+/* Reports whether a point lies between two checkpoints. Checkpoints, and the last scene of a
+ * series, are always traced. */
+static bool is_between(const po_case *kase, size_t point) {
+  const size_t place = point % kase->series_length;
+  return place % kase->checkpoints != 0 && place + 1 != kase->series_length;
+}
+
+static po_status draw_traced(po_case *kase, const po_yaml *yaml) {
+  const po_traced_words *words = kase->file->traced;
+  size_t seed = 0, count = 0, between = 0;
+  if (!words)
+    return PO_OK;
+  for (size_t i = 0; i < kase->point_count; ++i)
+    between += is_between(kase, i);
+  if (!po_number_parse_count(words->seed_text, &seed))
+    return po_schema_refuse(yaml, NULL, "traced.seed");
+  if (!po_number_parse_count(words->count_text, &count) || count < 1 || count > between)
+    return po_schema_refuse(yaml, NULL, "traced.count");
+  for (uint64_t draw = 0; count > 0; ++draw) { /* skips checkpoints and repeated scenes */
+    const double part = po_random_uniform(seed, draw, "traced");
+    const size_t i = (size_t)floor(part * (double)kase->point_count);
+    if (!is_between(kase, i) || kase->points[i].traced)
+      continue;
+    kase->points[i].traced = true;
+    count -= 1;
+  }
+  return PO_OK;
+}
+
 po_status po_case_expand(po_case *kase, const po_yaml *yaml) {
   po_status status = count_points(kase, yaml);
   for (size_t i = 0; !status && i < kase->point_count; ++i)
     status = fill_point(kase, i, yaml);
-  return status ? status : keep_points(kase, yaml);
+  if (!status)
+    status = keep_points(kase, yaml);
+  return status ? status : draw_traced(kase, yaml);
 }

@@ -7,6 +7,7 @@
 #include "po_case_parts.h"
 #include "po_file.h"
 #include "po_memory.h"
+#include "po_series.h"
 
 bool po_case_is_name(const char *text) {
   for (const char *c = text; *c; ++c)
@@ -261,14 +262,85 @@ static po_status parse_checks(po_case *kase, const po_yaml *yaml) {
   return status ? status : po_case_each_axis(kase, yaml, po_case_axis_check);
 }
 
+/* Series of scenes in parameter continuation: the keys `follow`, `checkpoint_every` and `traced`.
+ */
+
+static const size_t MOST_BETWEEN_CHECKPOINTS = 1000;
+
+static po_status parse_checkpoints(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  kase->checkpoints = PO_CHECKPOINT_EVERY;
+  if (file->checkpoints_text &&
+      (!file->follow || !po_number_parse_count(file->checkpoints_text, &kase->checkpoints) ||
+       kase->checkpoints < 1 || kase->checkpoints > MOST_BETWEEN_CHECKPOINTS))
+    return po_schema_refuse(yaml, NULL, "checkpoint_every");
+  return PO_OK;
+}
+
+static po_status parse_follow(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  kase->series_length = 1;
+  const po_status status = parse_checkpoints(kase, yaml);
+  if (status || !file->follow)
+    return status;
+  const po_axis *last = file->sweep_count ? &file->sweep[file->sweep_count - 1].axis : NULL;
+  if (!last || !last->key || strcmp(last->key, file->follow) != 0 ||
+      !po_key_is_continuous(po_key_of_name(file->follow)))
+    return po_schema_refuse(yaml, NULL, "follow");
+  kase->series_length = last->values_count;
+  if (file->leave_out_count)
+    return po_schema_refuse(yaml, "no rules, as a series in follow is solved as a whole",
+                            "leave_out");
+  if (kase->repeats > 1)
+    return po_schema_refuse(yaml, "1, as series in follow are not timed", "repeats");
+  for (unsigned i = 0; i < file->want_names_count; ++i)
+    if (strcmp(file->want_names[i], "pull_off") != 0)
+      return po_schema_refuse(yaml, "pull_off alone, as follow continues only the pull-off",
+                              "want[%u]", i + 1);
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    const po_quantity quantity = file->checks[i].quantity;
+    if (!po_quantity_is(quantity, PO_OF_PULL_OFF) && quantity != PO_SOLVED_SHARE)
+      return po_schema_refuse(yaml,
+                              "pull_off_force, pull_off_approach, contact_radius or solved_share, "
+                              "as follow continues only the pull-off",
+                              "checks[%u].quantity", i + 1);
+  }
+  return PO_OK;
+}
+
+/* The key `traced`: scenes of a series that are traced in addition, for comparison. */
+
+static bool can_be_traced(const po_case_file *file, const po_check *check) {
+  return file->traced && po_quantity_is(check->quantity, PO_OF_PULL_OFF);
+}
+
+static po_status parse_traced(const po_case_file *file, const po_yaml *yaml) {
+  bool checked = !file->traced;
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    const po_check *check = &file->checks[i];
+    if (check->type == PO_REFERENCE_TRACED && !can_be_traced(file, check))
+      return po_schema_refuse(yaml,
+                              "traced only for a pull-off, in a case with `traced: {seed, count}`",
+                              "checks[%u].reference", i + 1);
+    checked = checked || check->type == PO_REFERENCE_TRACED;
+  }
+  if (!checked)
+    return po_schema_refuse(yaml, "a check against traced", "traced");
+  return file->traced && !file->follow ? po_schema_refuse(yaml, NULL, "traced") : PO_OK;
+}
+
+static po_status parse_series(po_case *kase, const po_yaml *yaml) {
+  const po_status status = parse_follow(kase, yaml);
+  return status ? status : parse_traced(kase->file, yaml);
+}
+
 /* Checks every value of kase->file and fills want, repeats, checks and points. Status:
  * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
 static po_status parse(po_case *kase, const po_yaml *yaml) {
   static po_status (*const STEPS[])(po_case *, const po_yaml *) = {
       parse_names,         parse_repeats,  po_case_profile_resolve, po_case_sweep_parse,
-      po_case_scene_parse, parse_checks,   po_case_lines_parse,     po_case_series_parse,
-      check_stand_ins,     po_case_expand, po_case_traced_draw,     check_concerned,
-      check_pinned};
+      po_case_scene_parse, parse_checks,   po_case_lines_parse,     parse_series,
+      check_stand_ins,     po_case_expand, check_concerned,         check_pinned};
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < sizeof STEPS / sizeof *STEPS; ++i)
     status = STEPS[i](kase, yaml);

@@ -33,14 +33,6 @@ enum { PO_CASE_WHERE_LENGTH = 64 };
  */
 po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
 
-/* Parses `follow` and `checkpoint_every`, and checks that the rest of the case agrees with them:
- * only pull-offs may be wanted and checked. Checks `traced`, and that a check against the reference
- * `traced` exists if and only if the key is given. Status: as above. */
-po_status po_case_series_parse(po_case *kase, const po_yaml *yaml);
-
-/* Draws the scenes of `traced`, of the points. Status: as above. */
-po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml);
-
 /* Reports whether an item of a sweep varies a key, either directly or by a group. */
 bool po_sweep_varies(const po_sweep *sweep, po_key key);
 
@@ -75,7 +67,8 @@ po_status po_case_scene_parse(po_case *kase, const po_yaml *yaml);
 po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml);
 
 /* Computes kase->points: every drawn scene with every combination of the sweep, without those that
- * a rule of `leave_out` excludes. Status: as above; PO_NO_MEMORY. */
+ * a rule of `leave_out` excludes; and draws the scenes of `traced`. Status: as above;
+ * PO_NO_MEMORY. */
 po_status po_case_expand(po_case *kase, const po_yaml *yaml);
 
 #endif
