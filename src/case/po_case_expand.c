@@ -319,12 +319,8 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
                    yaml->name, po_yaml_line(yaml, "sample.keys"), point->label);
   if (po_request_check(&point->request) == PO_OK)
     return PO_OK;
-  char *why = po_copy_text(po_message());
-  const po_status status =
-      po_fail(PO_BAD_INPUT, "%s:%zu: scene (%s): %s", yaml->name, po_yaml_line(yaml, "scene"),
-              point->label, why ? why : "refused");
-  free(why);
-  return status;
+  return po_fail(PO_BAD_INPUT, "%s:%zu: scene (%s): %s", yaml->name, po_yaml_line(yaml, "scene"),
+                 point->label, po_message());
 }
 
 static bool is_left_out(po_case_file *file, const po_request *request) {

@@ -169,18 +169,6 @@ static po_status check_parameters(const po_case_file *file, const po_case_line *
   return PO_OK;
 }
 
-static po_status refuse_scene(unsigned index, const char *key, const char *value,
-                              const po_yaml *yaml) {
-  char *why = po_copy_text(po_message());
-  char where[PO_CASE_WHERE_LENGTH];
-  snprintf(where, sizeof where, "lines[%u].sweep", index + 1);
-  const po_status status =
-      po_fail(PO_BAD_INPUT, "%s:%zu: %s (%s=%s): %s", yaml->name, po_yaml_line(yaml, where), where,
-              key, value, why ? why : "refused");
-  free(why);
-  return status;
-}
-
 /* Checks the scene of the first row, and those that differ from it in one key: a scene depends on
  * its keys separately, but for law and profile far out, which the forms check. */
 static po_status check_scenes(const po_case_file *file, const po_case_line *line, unsigned index,
@@ -188,8 +176,12 @@ static po_status check_scenes(const po_case_file *file, const po_case_line *line
   for (unsigned i = 0; i < line->sweep_count; ++i)
     for (unsigned k = 0; k < line->sweep[i].values_count; ++k) {
       const po_form_input input = input_of(file, line, k * block_of(line, i));
-      if (input.general && po_scene_check(&input.scene) != PO_OK)
-        return refuse_scene(index, line->sweep[i].key, line->sweep[i].values[k], yaml);
+      if (!input.general || po_scene_check(&input.scene) == PO_OK)
+        continue;
+      char where[PO_CASE_WHERE_LENGTH];
+      snprintf(where, sizeof where, "lines[%u].sweep", index + 1);
+      return po_fail(PO_BAD_INPUT, "%s:%zu: %s (%s=%s): %s", yaml->name, po_yaml_line(yaml, where),
+                     where, line->sweep[i].key, line->sweep[i].values[k], po_message());
     }
   return PO_OK;
 }

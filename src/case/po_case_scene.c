@@ -73,12 +73,9 @@ static po_status case_profile_path(const po_case *kase, char **word) {
 static po_status case_refuse_for(const po_yaml *yaml, const char *where, po_status status) {
   if (status == PO_NO_MEMORY)
     return status;
-  char *why = po_copy_text(po_message());
-  const bool named = why && strncmp(why, where, strlen(where)) == 0;
-  const po_status failed = po_fail(status, "%s:%zu: %s%s%s", yaml->name, po_yaml_line(yaml, where),
-                                   named ? "" : where, named ? "" : ": ", why ? why : "refused");
-  free(why);
-  return failed;
+  const bool named = strncmp(po_message(), where, strlen(where)) == 0;
+  return po_fail(status, "%s:%zu: %s%s%s", yaml->name, po_yaml_line(yaml, where),
+                 named ? "" : where, named ? "" : ": ", po_message());
 }
 
 /* Replaces the name of a table, relative to the case file, by its path, and reads it. */
