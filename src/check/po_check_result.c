@@ -1,5 +1,6 @@
 #include "po_check_result.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -108,4 +109,162 @@ void po_check_results_clear(po_check_results *check_results) {
     free(check_results->items[i].id);
   free(check_results->items);
   *check_results = (po_check_results){0};
+}
+
+/* Verdicts that combine the checks of the same number. */
+
+/* With a tolerance this many times the largest error, the check would not detect errors that are a
+ * hundred times larger. */
+static const double SLACK = 1000;
+
+/* Relative errors below this are rounding errors of a long sum, not errors of the method. */
+static const double ROUNDING = 4 * DBL_EPSILON;
+
+/* Reports whether two results belong to the same number of the same point. */
+static bool is_same_number(const po_check_result *a, const po_check_result *b) {
+  return a->point == b->point && strcmp(a->subject, b->subject) == 0;
+}
+
+static bool is_compared(const po_check_result *item) {
+  return item->verdict != PO_NO_RESULT && item->verdict != PO_MISSING_REFERENCE;
+}
+
+/* Returned: the error below which a reference cannot distinguish two values. */
+static double resolution(const po_check_result *item) {
+  const double rounding = ROUNDING * fmax(fabs(item->obtained), fabs(item->expected));
+  return fmax(isnan(rounding) ? 0 : rounding, isnan(item->uncertainty) ? 0 : item->uncertainty);
+}
+
+/* The comparison of a pinned value and of the new value with all oracles. */
+typedef struct {
+  bool decreased, increased; /* the error against at least one oracle */
+  bool outside;              /* the new value is outside the tolerance of an oracle */
+  char note[128];            /* both errors, against an oracle with an increase if there is one */
+} oracle_summary;
+
+static void add_oracle(const po_check_result *oracle, double pinned, oracle_summary *summary) {
+  const double before = fabs(pinned - oracle->expected), after = fabs(oracle->error);
+  summary->outside = summary->outside || oracle->verdict == PO_OUTSIDE;
+  if (fmax(before, after) <= resolution(oracle) || before == after)
+    return;
+  const bool increased = after > before;
+  if (increased || !summary->increased) {
+    char reference[64];
+    po_check_result_reference(oracle->check, reference);
+    snprintf(summary->note, sizeof summary->note, "the error against %.40s %s from %.2g to %.2g",
+             reference, increased ? "increased" : "decreased", before, after);
+  }
+  summary->increased = summary->increased || increased;
+  summary->decreased = summary->decreased || !increased;
+}
+
+static void judge_moved(const po_check_results *check_results, po_check_result *pin) {
+  oracle_summary summary = {0};
+  bool any = false;
+  for (size_t i = 0; i < check_results->count; ++i) {
+    const po_check_result *other = &check_results->items[i];
+    if (other->ledger != PO_LEDGER_ORACLE || !is_same_number(other, pin) || !is_compared(other))
+      continue;
+    any = true;
+    add_oracle(other, pin->expected, &summary);
+  }
+  char why[sizeof pin->note];
+  if (summary.increased) {
+    pin->verdict = PO_REGRESSED;
+    snprintf(why, sizeof why, "%s", summary.note);
+  } else if (summary.decreased && !summary.outside) {
+    pin->verdict = PO_IMPROVED;
+    snprintf(why, sizeof why, "%s: bless it", summary.note);
+  } else {
+    pin->verdict = PO_MOVED;
+    snprintf(why, sizeof why, "%s",
+             summary.decreased ? "the error decreased, but the check against the oracle still fails"
+             : any             ? "no oracle can distinguish the two values"
+                               : "no oracle covers this number");
+  }
+  char had[sizeof pin->note]; /* the note about a missing or spurious special point */
+  snprintf(had, sizeof had, "%s", pin->note);
+  snprintf(pin->note, sizeof pin->note, "%.100s%s%.97s", had, had[0] ? "; " : "", why);
+}
+
+static void judge_work(po_check_result *pin) {
+  const bool more = pin->error > 0;
+  pin->verdict = more ? PO_REGRESSED : PO_IMPROVED;
+  snprintf(pin->note, sizeof pin->note, more ? "%.1f %% more work" : "%.1f %% less work: bless it",
+           100 * fabs(pin->error) / fmax(fabs(pin->expected), 1));
+}
+
+static void judge_pins(po_check_results *check_results) {
+  for (size_t i = 0; i < check_results->count; ++i) {
+    po_check_result *pin = &check_results->items[i];
+    if (pin->ledger != PO_LEDGER_PIN || pin->verdict != PO_OUTSIDE)
+      continue;
+    if (pin->check->quantity == PO_WORK)
+      judge_work(pin);
+    else
+      judge_moved(check_results, pin);
+  }
+}
+
+static void judge_oracles(po_check_results *check_results) {
+  for (size_t i = 0; i < check_results->count; ++i) {
+    po_check_result *oracle = &check_results->items[i];
+    if (oracle->ledger != PO_LEDGER_ORACLE || oracle->verdict != PO_OUTSIDE)
+      continue;
+    for (size_t k = 0; k < check_results->count; ++k) {
+      const po_check_result *pin = &check_results->items[k];
+      if (pin->ledger == PO_LEDGER_PIN && po_verdict_is_plain(pin->verdict) &&
+          is_same_number(pin, oracle))
+        oracle->verdict = PO_WRONG_AND_FROZEN;
+    }
+  }
+}
+
+/* Reports whether a number is a count, which has no numerical error. */
+static bool is_exact(const po_check_result *item) {
+  return item->whole || strcmp(item->quantity, "fold_count") == 0 ||
+         strcmp(item->quantity, "extremum_count") == 0 || strcmp(item->quantity, "jump_count") == 0;
+}
+
+/* Finds the result with the largest error in units of the tolerance among the results of one check.
+ * Given: `first`, the first of these results.
+ * Returned: that result, and in *largest the ratio; NULL if the check is against pins, if a result
+ * is not within, or if there is no error. In *last, the index after the last result of the check.
+ */
+static po_check_result *worst_of_check(po_check_results *check_results, size_t first, size_t *last,
+                                       double *largest) {
+  const po_check *check = check_results->items[first].check;
+  po_check_result *worst = NULL;
+  bool measurable = check_results->items[first].ledger != PO_LEDGER_PIN;
+  *largest = 0.0;
+  for (*last = first; *last < check_results->count && check_results->items[*last].check == check;
+       ++*last) {
+    po_check_result *item = &check_results->items[*last];
+    measurable = measurable && item->verdict == PO_WITHIN;
+    const double error = fmax(fabs(item->error), resolution(item)) / item->allowance;
+    if (!is_exact(item) && error > *largest) {
+      *largest = error;
+      worst = item;
+    }
+  }
+  return measurable ? worst : NULL;
+}
+
+static void judge_tolerances(po_check_results *check_results) {
+  for (size_t first = 0, last = 0; first < check_results->count; first = last) {
+    double largest = 0;
+    po_check_result *worst = worst_of_check(check_results, first, &last, &largest);
+    if (!worst || largest * SLACK >= 1)
+      continue;
+    worst->verdict = PO_SLACK;
+    snprintf(worst->note, sizeof worst->note,
+             "the tolerance is %.0f times the largest error of this check, which is here",
+             1 / largest);
+  }
+}
+
+void po_judge(po_check_results *check_results) {
+  judge_pins(check_results);
+  judge_oracles(check_results);
+  judge_tolerances(check_results);
 }

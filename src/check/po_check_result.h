@@ -13,7 +13,7 @@ typedef enum {
   PO_OUTSIDE,
   PO_NO_RESULT,         /* the solve did not deliver the quantity */
   PO_MISSING_REFERENCE, /* the reference has no value for this scene */
-  /* Verdicts that combine several references, see po_judge.h. */
+  /* Verdicts that combine several references, see po_judge. */
   PO_IMPROVED,         /* the value differs from its pin, and is closer to every oracle; or the
                           work decreased. The new value can be blessed. */
   PO_REGRESSED,        /* the value differs from its pin, and is further from an oracle; or the
@@ -88,5 +88,31 @@ po_check_result *po_compare_add(const po_compare_input *c, const char *name, con
                                 double obtained, po_reference_number expected);
 
 void po_check_results_clear(po_check_results *check_results);
+
+/* Replaces the verdicts of the individual checks of a case by verdicts that combine the checks of
+ * the same number against different references.
+ *
+ * An oracle shows whether a number is correct, a pin shows whether it changed. The combination:
+ *
+ *   value         error against the oracle       verdict of the pin   of the oracle
+ *   as pinned     within                         within               within
+ *   as pinned     outside                        within               wrong_and_frozen
+ *   changed       decreased, within              improved             within
+ *   changed       increased                      regressed            within or outside
+ *   changed       decreased, but outside         moved                outside
+ *   changed       undecided, or no oracle        moved
+ *
+ * An oracle is undecided if the errors of both values are below its uncertainty. With several
+ * oracles, an increase against one of them counts as an increase. Published values have no
+ * influence on the verdict of a pin: their uncertainty is as large as the errors.
+ *
+ * Counters of work have no oracle: an increase is regressed, a decrease is improved.
+ *
+ * The tolerance of a check against an oracle or a published value is slack if it is more than a
+ * thousand times the largest error of all points of the case, because the same tolerance applies to
+ * all of them. Errors below the uncertainty of the reference, or below rounding, are replaced by
+ * these. Two kinds of tolerance are never slack: those of integers (numbers of folds, shares of
+ * solved points), and those of pins, which an unchanged program reproduces to the last bit. */
+void po_judge(po_check_results *check_results);
 
 #endif

@@ -7,7 +7,7 @@
 #include "po_file.h"
 #include "po_options.h"
 #include "po_quote.h"
-#include "po_reference_table.h"
+#include "po_reference.h"
 #include "po_verbs.h"
 
 static const char HELP[] =

@@ -6,7 +6,7 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_identity.h"
-#include "po_record_point.h"
+#include "po_record.h"
 #include "po_reference_list.h"
 #include "po_session.h"
 #include "po_text.h"

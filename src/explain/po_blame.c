@@ -1,4 +1,4 @@
-#include "po_blame.h"
+#include "po_explain.h"
 
 #include <math.h>
 #include <stdarg.h>

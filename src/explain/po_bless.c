@@ -11,7 +11,7 @@
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_pins.h"
-#include "po_record_point.h"
+#include "po_record.h"
 
 typedef struct {
   size_t point;

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_blame.h"
 #include "po_elementary.h"
 
 /* Returned: special point number `index` in the list of all folds followed by all extrema. */

@@ -38,4 +38,15 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
  * without memory. */
 json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice);
 
+/* Which side is probably wrong if references disagree, and why. */
+typedef struct {
+  const char *side; /* "none", "program", "solver", "solve", "reference", "publication", "pin",
+                       "tolerance" */
+  char why[400];
+} po_blame;
+
+/* Determines the side that is probably wrong from one result and the other results of the same
+ * point. Given: a finished run. */
+void po_blame_find(const po_case_run *run, const po_check_result *item, po_blame *blame);
+
 #endif

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "po_pins.h"
-#include "po_record_point.h"
+#include "po_record.h"
 
 /* Relative difference of a pull-off force up to which it may be due to rounding. */
 static const double ROUNDING = 1e-9;

@@ -1,4 +1,4 @@
-#include "po_journal.h"
+#include "po_record.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include "po_file.h"
-#include "po_record_point.h"
 
 static const char NAME[] = "points.jsonl";
 

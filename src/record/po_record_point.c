@@ -1,4 +1,4 @@
-#include "po_record_point.h"
+#include "po_record.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -11,7 +11,7 @@
 #define PO_PINS_H
 
 #include "po_case.h"
-#include "po_reference_table.h"
+#include "po_reference.h"
 
 enum { PO_PIN_NAME_LENGTH = 64, PO_WORK_COUNTERS = 5 };
 

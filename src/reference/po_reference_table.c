@@ -1,4 +1,4 @@
-#include "po_reference_table.h"
+#include "po_reference.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 
 #include "po_memory.h"
 #include "po_number.h"
-#include "po_reference_table.h"
+#include "po_reference.h"
 #include "po_si.h"
 
 /* Whether a name ends in a unit. Keys of the scene such as mie_m do not. Returned: *factor, by

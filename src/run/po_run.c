@@ -9,7 +9,6 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_job.h"
-#include "po_journal.h"
 #include "po_linear.h"
 #include "po_record.h"
 #include "po_watch.h"

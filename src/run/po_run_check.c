@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "po_compare.h"
-#include "po_judge.h"
 #include "po_memory.h"
 #include "po_observe.h"
 #include "po_run.h"

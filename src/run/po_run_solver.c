@@ -7,9 +7,9 @@
 
 #include "po_ask_folder.h"
 #include "po_input.h"
-#include "po_journal.h"
 #include "po_json.h"
 #include "po_memory.h"
+#include "po_record.h"
 #include "po_watch.h"
 
 /* Reports whether an external solver is asked the same for two points: they differ only in the mesh

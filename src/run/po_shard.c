@@ -7,13 +7,11 @@
 
 #include "po_environment.h"
 #include "po_file.h"
-#include "po_journal.h"
 #include "po_json_digest.h"
 #include "po_memory.h"
 #include "po_order.h"
 #include "po_random.h"
 #include "po_record.h"
-#include "po_record_point.h"
 
 static const char SCHEMA[] = "pulloff-shard/1";
 

@@ -18,7 +18,7 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_json_value.h"
-#include "po_record_point.h"
+#include "po_record.h"
 
 /* Linked instead of the function that describes the running program (--wrap). Computing the digest
  * of the program takes longer than everything else for an input, and the keys in the corpus would

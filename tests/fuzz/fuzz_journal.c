@@ -6,9 +6,8 @@
 
 #include "fuzz.h"
 #include "po_file.h"
-#include "po_journal.h"
 #include "po_json_value.h"
-#include "po_record_point.h"
+#include "po_record.h"
 
 enum { POINTS = 2 };
 

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_judge.h"
+#include "po_compare.h"
 #include "po_run.h"
 
 enum { ORACLE, OTHER_ORACLE, PUBLISHED, PIN, WORK, CHECKS };

@@ -1,7 +1,6 @@
 /* Tests of the side that is reported as probably wrong, and of the place on the branch. */
 #include "made_results.h"
 
-#include "po_blame.h"
 #include "po_explain.h"
 #include "run.h"
 

@@ -10,7 +10,7 @@
 
 #include "po_case.h"
 #include "po_file.h"
-#include "po_record_point.h"
+#include "po_record.h"
 #include "po_run.h"
 #include "po_text.h"
 #include "run.h"
