@@ -20,18 +20,18 @@ static bool is_derived(int key) {
 static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
   static const char NOT_BOTH[] = "none of tabor, amplitude, wavelength, radius, outer_radius, the "
                                  "profile and waves, or a group of them, beside scene.physical";
-  for (int key = 0; key < PO_KEY_END; ++key)
-    if (is_derived(key) && file->scene.values[key])
+  for (int key = 0; key < PO_KEY_END; ++key) {
+    if (!is_derived(key))
+      continue;
+    if (file->scene.values[key])
       return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name((po_key)key));
-  for (unsigned k = 0; k < file->sweep_count; ++k) {
-    const char *what = file->sweep[k].together ? "together" : "key";
-    for (int key = 0; key < PO_KEY_END; ++key)
-      if (is_derived(key) && po_sweep_varies(&file->sweep[k], (po_key)key))
-        return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1, what);
-  }
-  for (int key = 0; key < PO_KEY_END; ++key)
-    if (is_derived(key) && po_case_draws(file, (po_key)key))
+    for (unsigned k = 0; k < file->sweep_count; ++k)
+      if (po_sweep_varies(&file->sweep[k], (po_key)key))
+        return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1,
+                                file->sweep[k].together ? "together" : "key");
+    if (po_case_draws(file, (po_key)key))
       return po_schema_refuse(yaml, NOT_BOTH, "scene.physical");
+  }
   return PO_OK;
 }
 

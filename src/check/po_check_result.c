@@ -1,4 +1,4 @@
-#include "po_check_result.h"
+#include "po_compare.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,8 +1,93 @@
-/* Compares results with references. */
+/* Compares results with references: the results of checks, and their verdicts. */
 #ifndef PO_COMPARE_H
 #define PO_COMPARE_H
 
-#include "po_check_result.h"
+#include <stdbool.h>
+
+#include "po_case.h"
+#include "po_reference.h"
+
+typedef enum {
+  PO_IDENTICAL, /* with its pin, to the last bit */
+  PO_WITHIN,
+  PO_OUTSIDE,
+  PO_NO_RESULT,         /* the solve did not deliver the quantity */
+  PO_MISSING_REFERENCE, /* the reference has no value for this scene */
+  /* Verdicts that combine several references, see po_judge. */
+  PO_IMPROVED,         /* the value differs from its pin, and is closer to every oracle; or the
+                          work decreased. The new value can be blessed. */
+  PO_REGRESSED,        /* the value differs from its pin, and is further from an oracle; or the
+                          work increased */
+  PO_MOVED,            /* the value differs from its pin, and no oracle decides which is better */
+  PO_WRONG_AND_FROZEN, /* the check against the oracle fails, and the one against the pin passes */
+  PO_SLACK,            /* within, but the tolerance is too wide to detect an error */
+  PO_NOT_REACHABLE,    /* outside, but an external solver that follows stable equilibria cannot see
+                          the expected value */
+  PO_VERDICT_COUNT
+} po_verdict;
+
+typedef struct {
+  char *id;     /* "pull_off_force/feng_pull_off/tabor=1" */
+  size_t point; /* number of the point in the case; if `whole`, an example */
+  bool whole;   /* the result belongs to all points of the case together */
+  const po_check *check;
+  char quantity[32]; /* "pull_off_force", "fold_approach"... */
+  char subject[64];  /* identifies the number in a point, e.g. "fold_approach/jump_in-1"; equal in
+                        checks of the same number against different references */
+  const po_reference *reference;
+  po_ledger ledger;
+  double obtained;       /* NAN: no result, or a curve, which has only an error */
+  double expected;       /* NAN: no reference value, or a curve */
+  double error;          /* obtained - expected, or the distance of curves; NAN: not known */
+  double allowance;      /* the tolerance as an absolute number; NAN: not known */
+  double uncertainty;    /* of the reference, absolute; NAN: not given */
+  double ratio;          /* |error| / allowance; NAN: not known */
+  double approach, load; /* place on the curve; NAN: the number has no place */
+  po_verdict verdict;
+  char note[200];
+} po_check_result;
+
+typedef struct {
+  po_check_result *items;
+  size_t count;
+} po_check_results;
+
+/* Returned: "identical", "within", "outside", "no_result", "missing_reference", "improved",
+ * "regressed", "moved", "wrong_and_frozen", "slack" or "not_reachable". */
+const char *po_verdict_name(po_verdict verdict);
+
+/* Reports whether a check with this verdict passes: identical, within, improved, slack or
+ * not_reachable. */
+bool po_verdict_passes(po_verdict verdict);
+
+/* Reports whether a verdict is identical or within; the user is told of all others. */
+bool po_verdict_is_plain(po_verdict verdict);
+
+/* Returned: in `name`, the short name of the reference of a check: "feng_pull_off" for
+ * "reference/feng_pull_off.csv". */
+void po_check_result_reference(const po_check *check, char name[64]);
+
+/* The result of a point and the reference of a check, and the list to which the results of their
+ * comparison are added. */
+typedef struct {
+  const po_case *kase;
+  size_t point;
+  const po_check *check;
+  const po_reference *reference;
+  const po_result *result;
+  const po_result *trace; /* the full trace of the scene, which is the reference `traced` */
+  po_check_results *check_results;
+  po_request request; /* the scene that is looked up in the reference */
+} po_compare_input;
+
+/* Adds the result of the comparison of one number; the tolerance of the check decides the verdict.
+ * Given: `name`, the quantity in the results; `suffix`, the end of the id ("" or
+ * "jump_in-1/load").
+ * Returned: the new item; NULL without memory. */
+po_check_result *po_compare_add(const po_compare_input *c, const char *name, const char *suffix,
+                                double obtained, po_reference_number expected);
+
+void po_check_results_clear(po_check_results *check_results);
 
 /* Returned: the value of a quantity that is a single number; NAN if the solve did not deliver it.
  */
@@ -26,5 +111,31 @@ po_status po_compare_steps(const po_compare_input *c);
  * tolerance. */
 po_status po_compare_check_tolerance(const po_case *kase, const po_check *check, unsigned number,
                                      const po_reference *reference);
+
+/* Replaces the verdicts of the individual checks of a case by verdicts that combine the checks of
+ * the same number against different references.
+ *
+ * An oracle shows whether a number is correct, a pin shows whether it changed. The combination:
+ *
+ *   value         error against the oracle       verdict of the pin   of the oracle
+ *   as pinned     within                         within               within
+ *   as pinned     outside                        within               wrong_and_frozen
+ *   changed       decreased, within              improved             within
+ *   changed       increased                      regressed            within or outside
+ *   changed       decreased, but outside         moved                outside
+ *   changed       undecided, or no oracle        moved
+ *
+ * An oracle is undecided if the errors of both values are below its uncertainty. With several
+ * oracles, an increase against one of them counts as an increase. Published values have no
+ * influence on the verdict of a pin: their uncertainty is as large as the errors.
+ *
+ * Counters of work have no oracle: an increase is regressed, a decrease is improved.
+ *
+ * The tolerance of a check against an oracle or a published value is slack if it is more than a
+ * thousand times the largest error of all points of the case, because the same tolerance applies to
+ * all of them. Errors below the uncertainty of the reference, or below rounding, are replaced by
+ * these. Two kinds of tolerance are never slack: those of integers (numbers of folds, shares of
+ * solved points), and those of pins, which an unchanged program reproduces to the last bit. */
+void po_judge(po_check_results *check_results);
 
 #endif

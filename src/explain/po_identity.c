@@ -69,7 +69,8 @@ static void add_oracles(const po_case_run *run, size_t point, po_text *text) {
   po_text_add(text, "%s", *before ? " can judge it" : "no oracle can judge it");
 }
 
-static void describe(const po_case_run *run, const difference *found, po_text *lines) {
+/* Adds the lines of a case, and counts its pins that differ. */
+static void describe(const po_case_run *run, difference *found, po_text *lines) {
   const po_case *kase = run->plan->kase;
   if (found->different) {
     po_text_add(lines,
@@ -82,9 +83,11 @@ static void describe(const po_case_run *run, const difference *found, po_text *l
   }
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *pin = &run->check_results.items[i];
-    if (pin->ledger == PO_LEDGER_PIN && pin->verdict != PO_IDENTICAL)
-      po_text_add(lines, "%s: %s is not its pin: %.17g for %.17g\n", kase->file->name, pin->id,
-                  pin->obtained, pin->expected);
+    if (pin->ledger != PO_LEDGER_PIN || pin->verdict == PO_IDENTICAL)
+      continue;
+    found->pins += 1;
+    po_text_add(lines, "%s: %s is not its pin: %.17g for %.17g\n", kase->file->name, pin->id,
+                pin->obtained, pin->expected);
   }
 }
 
@@ -97,9 +100,6 @@ static po_status compare_case(const po_case_run *run, po_identity *identity, po_
     if (run->points[i].asked)
       status = compare_point(run, &digests, i, identity, &found);
   po_reference_close(&digests);
-  for (size_t i = 0; i < run->check_results.count; ++i)
-    found.pins += run->check_results.items[i].ledger == PO_LEDGER_PIN &&
-                  run->check_results.items[i].verdict != PO_IDENTICAL;
   describe(run, &found, lines);
   identity->compared += found.compared;
   identity->identical += found.compared - found.different;

@@ -3,7 +3,7 @@
 #define PO_CASE_RUN_H
 
 #include "po_ask.h"
-#include "po_check_result.h"
+#include "po_compare.h"
 #include "po_plan.h"
 
 /* How much of a case an external solver covers. */
@@ -99,7 +99,7 @@ typedef struct {
   const po_check_result *item; /* NULL: a failed solve */
   size_t point;                /* of the result or the solve; an example if item->whole */
   const char *label;           /* of the point; NULL: the result belongs to all points together */
-  bool passes, plain;          /* see po_check_result.h; a failed solve does neither */
+  bool passes, plain;          /* see po_compare.h; a failed solve does neither */
   size_t next;
 } po_finding;
 

@@ -50,23 +50,17 @@ static po_status add_listed(const char *data_folder, po_reference_list *list) {
   return status;
 }
 
+/* Adds the tables of a folder; PUBLISHED may be absent. */
 static po_status add_found(const char *data_folder, const char *folder, po_reference_list *list) {
   char **names = NULL;
   size_t count = 0;
   char *path = po_path_join(data_folder, folder);
-  po_status status = path ? po_folder_list(path, ".csv", &names, &count) : PO_NO_MEMORY;
+  po_status status = path ? PO_OK : PO_NO_MEMORY;
+  if (!status && (folder != PUBLISHED || po_path_exists(path)))
+    status = po_folder_list(path, ".csv", &names, &count);
   for (size_t i = 0; !status && i < count; ++i)
     status = add(list, folder, names[i], false);
   po_names_free(names, count);
-  free(path);
-  return status;
-}
-
-static po_status add_published(const char *data_folder, po_reference_list *list) {
-  char *path = po_path_join(data_folder, PUBLISHED);
-  if (!path)
-    return PO_NO_MEMORY;
-  const po_status status = po_path_exists(path) ? add_found(data_folder, PUBLISHED, list) : PO_OK;
   free(path);
   return status;
 }
@@ -97,7 +91,7 @@ po_status po_reference_list_open(const char *data_folder, po_reference_list *lis
   if (!status)
     status = add_found(data_folder, FOLDER, list);
   if (!status)
-    status = add_published(data_folder, list);
+    status = add_found(data_folder, PUBLISHED, list);
   for (size_t i = 0; !status && i < list->count; ++i)
     read_entry(data_folder, &list->entries[i]);
   if (status)

@@ -112,7 +112,7 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   }
   merge->parts = parts;
   po_merge_part *part = &parts[merge->count++];
-  *part = (po_merge_part){.path = path, .folder = po_copy_text(folder)};
+  *part = (po_merge_part){.path = path, .folder = folder};
   char *bytes = NULL;
   size_t size = 0;
   po_status status = po_file_read(path, &bytes, &size);
@@ -138,7 +138,7 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
     return po_fail(PO_CANNOT_READ, "%s is damaged: time_limit is %g, expected a number > 0 or null",
                    path, limit);
   part->shard = (po_shard){(size_t)number, (size_t)of};
-  return part->folder ? PO_OK : PO_NO_MEMORY;
+  return PO_OK;
 }
 
 static po_status read_folder(po_merge *merge, const char *folder) {
@@ -265,7 +265,6 @@ po_status po_merge_open(char *const *folders, size_t count, po_merge *merge) {
 
 void po_merge_close(po_merge *merge) {
   for (size_t i = 0; i < merge->count; ++i) {
-    free(merge->parts[i].folder);
     free(merge->parts[i].path);
     json_decref(merge->parts[i].root);
   }
