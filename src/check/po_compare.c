@@ -58,7 +58,7 @@ static po_status compare_single(const po_compare_input *c) {
   return PO_OK;
 }
 
-static po_status compare_planes(const po_result *result, const po_reference_point *theirs,
+static po_status compare_planes(const po_result *result, const po_special_point *theirs,
                                 size_t count, bool ordered, double tolerance,
                                 po_curve_verdict *verdict) {
   po_curve_point *points = po_allocate(count, sizeof *points);
@@ -76,7 +76,7 @@ static po_status compare_planes(const po_result *result, const po_reference_poin
 }
 
 static po_status compare_curve(const po_compare_input *c) {
-  po_reference_point *theirs = NULL;
+  po_special_point *theirs = NULL;
   size_t count = 0;
   po_curve_verdict found = {0};
   po_status status =
@@ -84,8 +84,7 @@ static po_status compare_curve(const po_compare_input *c) {
   const bool known = status == PO_OK;
   double uncertainty = (double)NAN;
   for (size_t i = 0; known && i < count; ++i)
-    uncertainty =
-        fmax(uncertainty, fmax(theirs[i].approach_uncertainty, theirs[i].load_uncertainty));
+    uncertainty = fmax(uncertainty, fmax(theirs[i].approach_error, theirs[i].load_error));
   if (known)
     /* published points are markers read off a figure, which are not in the order of the branch */
     status = compare_planes(c->result, theirs, count, c->reference->ledger != PO_LEDGER_PUBLISHED,
@@ -180,35 +179,23 @@ static po_status compare_work(const po_compare_input *c) {
 
 /* The folds or the extrema of a branch. */
 typedef struct {
-  po_reference_point *points; /* to be freed */
+  const po_special_point *points;
   size_t count;
 } point_list;
 
 /* Those of a result and of the reference, over the common range. */
 typedef struct {
   point_list ours, theirs;
-  bool known, solved; /* the reference contains the scene; the scene was solved */
+  po_special_point *found; /* all of the reference, to be freed */
+  bool known, solved;      /* the reference contains the scene; the scene was solved */
 } point_lists;
-
-static po_status take_ours(const po_special_point *marks, size_t count, point_list *ours) {
-  *ours = (point_list){po_allocate(count, sizeof *ours->points), count};
-  if (!ours->points)
-    return PO_NO_MEMORY;
-  for (size_t i = 0; i < count; ++i)
-    ours->points[i] = (po_reference_point){
-        .approach = marks[i].approach, .load = marks[i].load, .kind = marks[i].kind};
-  return PO_OK;
-}
 
 /* Removes the special points before the start of the traced branch (NAN: the branch has no limited
  * start), which are those that the traced branch lacks. Only the first ones of the list are
  * removed: later on the branch the approach can again be smaller than at the start. */
 static void drop_before_start(point_list *list, size_t traced, double start) {
-  size_t first = 0;
-  while (list->count - first > traced && list->points[first].approach < start)
-    first += 1;
-  list->count -= first;
-  memmove(list->points, list->points + first, list->count * sizeof *list->points);
+  for (; list->count > traced && list->points->approach < start; list->count -= 1)
+    list->points += 1;
 }
 
 /* Counts the special points up to the end of the shorter of two branches. On a wavy sphere the
@@ -228,12 +215,12 @@ static size_t count_up_to(const point_list *list, size_t found, double end) {
 /* Finds both lists over the common range. */
 static po_status find_lists(const po_compare_input *c, bool folds, point_lists *l) {
   const po_result *result = c->result;
-  *l = (point_lists){.solved = result->status == PO_OK};
-  po_status status = folds ? take_ours(result->folds, result->fold_count, &l->ours)
-                           : take_ours(result->extrema, result->extremum_count, &l->ours);
-  if (!status)
-    status = po_reference_points(c->reference, folds ? PO_FOLDS : PO_EXTREMA, &c->request, result,
-                                 &l->theirs.points, &l->theirs.count);
+  *l = (point_lists){.ours = folds ? (point_list){result->folds, result->fold_count}
+                                   : (point_list){result->extrema, result->extremum_count},
+                     .solved = result->status == PO_OK};
+  po_status status = po_reference_points(c->reference, folds ? PO_FOLDS : PO_EXTREMA, &c->request,
+                                         result, &l->found, &l->theirs.count);
+  l->theirs.points = l->found;
   if (status == PO_NOT_FOUND)
     return PO_OK;
   double complete_to = (double)INFINITY;
@@ -266,12 +253,12 @@ static void describe_difference(const point_lists *l, char *note, size_t size) {
   const point_list *more = missing ? &l->theirs : &l->ours,
                    *fewer = missing ? &l->ours : &l->theirs;
   double furthest = -1;
-  const po_reference_point *named = NULL;
+  const po_special_point *named = NULL;
   for (size_t i = 0; i < more->count; ++i) {
-    const po_reference_point *a = &more->points[i];
+    const po_special_point *a = &more->points[i];
     double nearest = (double)INFINITY;
     for (size_t j = 0; j < fewer->count; ++j) {
-      const po_reference_point *b = &fewer->points[j];
+      const po_special_point *b = &fewer->points[j];
       if (a->kind == b->kind)
         nearest = fmin(nearest, po_hypot(a->approach - b->approach, a->load - b->load));
     }
@@ -291,13 +278,13 @@ static po_status add_pairs(const po_compare_input *c, const point_lists *l) {
                                           {"fold_approach", "fold_load"}};
   for (size_t i = 0; i < l->ours.count; ++i)
     for (int load = 0; load < 2; ++load) {
-      const po_reference_point *ours = &l->ours.points[i], *theirs = &l->theirs.points[i];
+      const po_special_point *ours = &l->ours.points[i], *theirs = &l->theirs.points[i];
       char suffix[64];
       snprintf(suffix, sizeof suffix, "%s-%zu/%s", po_special_kind_name(ours->kind), i + 1,
                load ? "load" : "approach");
       const po_reference_number expected =
-          load ? (po_reference_number){theirs->load, theirs->load_uncertainty}
-               : (po_reference_number){theirs->approach, theirs->approach_uncertainty};
+          load ? (po_reference_number){theirs->load, theirs->load_error}
+               : (po_reference_number){theirs->approach, theirs->approach_error};
       po_check_result *item = po_compare_add(c, NAMES[c->check->quantity == PO_FOLDS][load], suffix,
                                              load ? ours->load : ours->approach, expected);
       if (!item)
@@ -331,8 +318,7 @@ static po_status compare_special_points(const po_compare_input *c) {
     } else
       status = add_pairs(c, &l);
   }
-  free(l.ours.points);
-  free(l.theirs.points);
+  free(l.found);
   return status;
 }
 

@@ -225,15 +225,15 @@ static po_status check_points(const po_case *kase, const po_check *check, unsign
   po_curve_point ends[] = {{.approach = -10}, {.approach = 0.2}};
   const po_result everywhere = {
       .start = -10, .ended.approach = 0.2, .curve = ends, .curve_count = 2};
-  po_reference_point *points = NULL;
+  po_special_point *points = NULL;
   size_t count = 0;
   po_status status =
       po_reference_points(reference, check->quantity, request, &everywhere, &points, &count);
   for (size_t i = 0; !status && i < count; ++i) {
-    if (too_tight(check, points[i].approach, points[i].approach_uncertainty))
-      status = refuse(kase, check, number, reference, points[i].approach_uncertainty);
-    else if (too_tight(check, points[i].load, points[i].load_uncertainty))
-      status = refuse(kase, check, number, reference, points[i].load_uncertainty);
+    if (too_tight(check, points[i].approach, points[i].approach_error))
+      status = refuse(kase, check, number, reference, points[i].approach_error);
+    else if (too_tight(check, points[i].load, points[i].load_error))
+      status = refuse(kase, check, number, reference, points[i].load_error);
   }
   free(points);
   return status;

@@ -166,7 +166,7 @@ static bool is_covered(const po_reference *reference, const po_check *check,
                        const po_request *solved) {
   const po_request asked = po_check_request(check, solved), *request = &asked;
   po_reference_number number;
-  po_reference_point *points = NULL;
+  po_special_point *points = NULL;
   size_t count = 0, row = 0;
   if (check->quantity == PO_SOLVED_SHARE || reference->type == PO_REFERENCE_TRACED)
     return true;

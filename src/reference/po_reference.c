@@ -46,12 +46,12 @@ static po_status find_bradley(po_quantity quantity, const po_request *request,
   return PO_OK;
 }
 
-static po_reference_point point_at(double approach) {
+static po_special_point point_at(double approach) {
   const double x = 1 - approach, x4 = x * x * (x * x);
   const double larger_term = fmax(8 / (3 * x * x), 2 / (3 * x4 * x4));
-  return (po_reference_point){.approach = approach,
-                              .load = po_bradley_load(approach),
-                              .load_uncertainty = 4 * DBL_EPSILON * larger_term};
+  return (po_special_point){.approach = approach,
+                            .load = po_bradley_load(approach),
+                            .load_error = 4 * DBL_EPSILON * larger_term};
 }
 
 /* Returned: the approach of the next point, at the distance described at SPACING. */
@@ -62,10 +62,10 @@ static double step_from(double approach) {
   return approach + SPACING * fmax(1, x * x / FAR) / sqrt(1 + slope * slope);
 }
 
-static po_status sample(double start, double end, po_reference_point **points, size_t *count) {
+static po_status sample(double start, double end, po_special_point **points, size_t *count) {
   size_t room = 0;
   for (double approach = start;; approach = fmin(step_from(approach), end)) {
-    po_reference_point *larger = po_grow(*points, *count, &room, sizeof *larger);
+    po_special_point *larger = po_grow(*points, *count, &room, sizeof *larger);
     if (!larger)
       return PO_NO_MEMORY;
     *points = larger;
@@ -76,8 +76,7 @@ static po_status sample(double start, double end, po_reference_point **points, s
 }
 
 static po_status bradley_points(po_quantity quantity, const po_request *request,
-                                const po_result *result, po_reference_point **points,
-                                size_t *count) {
+                                const po_result *result, po_special_point **points, size_t *count) {
   if (!applies_to(request))
     return PO_NOT_FOUND;
   if (quantity == PO_CURVE && result && result->curve_count)
@@ -88,7 +87,7 @@ static po_status bradley_points(po_quantity quantity, const po_request *request,
   if (!*points)
     return PO_NO_MEMORY;
   if (quantity == PO_EXTREMA) {
-    **points = (po_reference_point){.approach = 0, .load = -2, .kind = PO_MINIMUM};
+    **points = (po_special_point){.approach = 0, .load = -2, .kind = PO_MINIMUM};
     *count = 1;
   }
   return PO_OK;
@@ -194,10 +193,10 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
  * advance, so all kinds are tried. */
 static po_status find_special_point(const po_reference *pins, po_quantity quantity,
                                     const po_request *request, size_t index,
-                                    po_reference_point *point) {
+                                    po_special_point *point) {
   for (int kind = PO_JUMP_IN; kind <= PO_MAXIMUM; ++kind) {
     char name[PO_PIN_NAME_LENGTH];
-    *point = (po_reference_point){.kind = (po_special_kind)kind};
+    *point = (po_special_point){.kind = (po_special_kind)kind};
     po_pins_name_special_point(quantity, point->kind, index, false, name);
     po_status status = po_pins_value(pins, name, request, &point->approach);
     if (status == PO_NOT_FOUND)
@@ -213,8 +212,7 @@ static po_status find_special_point(const po_reference *pins, po_quantity quanti
 }
 
 static po_status pins_points(const po_reference *pins, po_quantity quantity,
-                             const po_request *request, po_reference_point **points,
-                             size_t *count) {
+                             const po_request *request, po_special_point **points, size_t *count) {
   char name[PO_PIN_NAME_LENGTH];
   double number = 0;
   snprintf(name, sizeof name, "%s/count", po_quantity_of(quantity)->name);
@@ -224,7 +222,7 @@ static po_status pins_points(const po_reference *pins, po_quantity quantity,
   if (!(number >= 0 && number <= (double)pins->table.row_count))
     return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of special points", pins->shown,
                    name, number);
-  po_reference_point *list = po_allocate((size_t)number, sizeof *list);
+  po_special_point *list = po_allocate((size_t)number, sizeof *list);
   status = list ? PO_OK : PO_NO_MEMORY;
   for (size_t i = 0; !status && i < (size_t)number; ++i)
     status = find_special_point(pins, quantity, request, i, &list[i]);
@@ -262,15 +260,17 @@ static bool kind_fits(po_quantity quantity, po_special_kind kind) {
  * belongs to `quantity`; a table of special points may hold both folds and extrema. Status:
  * PO_CANNOT_READ (a column is missing or does not hold a number). */
 static po_status row_point(const po_reference *reference, size_t row, po_quantity quantity,
-                           po_reference_point *point, bool *fits) {
+                           po_special_point *point, bool *fits) {
   po_reference_number approach, load;
   po_status status = po_reference_cell(reference, row, "approach", &approach);
   if (!status)
     status = po_reference_cell(reference, row, "load", &load);
   if (status)
     return status;
-  *point = (po_reference_point){approach.value, load.value, approach.uncertainty, load.uncertainty,
-                                PO_JUMP_IN};
+  *point = (po_special_point){.approach = approach.value,
+                              .load = load.value,
+                              .approach_error = approach.uncertainty,
+                              .load_error = load.uncertainty};
   if (quantity != PO_CURVE)
     status = read_kind(&reference->table, row, &point->kind);
   *fits = !status && (quantity == PO_CURVE || kind_fits(quantity, point->kind));
@@ -279,14 +279,14 @@ static po_status row_point(const po_reference *reference, size_t row, po_quantit
 
 po_status po_reference_points(const po_reference *reference, po_quantity quantity,
                               const po_request *request, const po_result *result,
-                              po_reference_point **points, size_t *count) {
+                              po_special_point **points, size_t *count) {
   *points = NULL;
   *count = 0;
   if (reference->type == PO_REFERENCE_BRADLEY)
     return bradley_points(quantity, request, result, points, count);
   if (reference->type == PO_REFERENCE_PINS)
     return pins_points(reference, quantity, request, points, count);
-  po_reference_point *list = po_allocate(reference->table.row_count, sizeof *list);
+  po_special_point *list = po_allocate(reference->table.row_count, sizeof *list);
   po_status status = list ? PO_OK : PO_NO_MEMORY;
   size_t rows = 0, kept = 0;
   for (size_t row = 0; !status && po_reference_next_row(reference, request, &row); ++row) {

@@ -43,15 +43,6 @@ typedef struct {
   double uncertainty; /* absolute; NAN: not given */
 } po_reference_number;
 
-/* A point of a reference curve, or a special point. */
-typedef struct {
-  double approach;
-  double load;
-  double approach_uncertainty;
-  double load_uncertainty;
-  po_special_kind kind; /* of special points */
-} po_reference_point;
-
 /* Returned: the name of a reference in messages and records: the path of the file of pins, else the
  * name in the case file. */
 const char *po_reference_shown(const po_reference *reference);
@@ -73,11 +64,13 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
 
 /* Looks up the folds, the extrema or the points of the curve for a scene.
  * Given: `quantity`; `result`, whose range of approach limits the points of a closed form.
- * Returned: *count points in the order of the branch; the caller frees *points.
+ * Returned: *count points in the order of the branch, with approach, load and the uncertainties of
+ * the reference as their errors (NAN: not given), and of special points the kind; the caller frees
+ * *points.
  * Status: as above. */
 po_status po_reference_points(const po_reference *reference, po_quantity quantity,
                               const po_request *request, const po_result *result,
-                              po_reference_point **points, size_t *count);
+                              po_special_point **points, size_t *count);
 
 /* Looks up the column complete_to: the table contains every special point of the branch of a scene
  * up to the place where the approach first exceeds this value. Infinite without such a column.

@@ -71,7 +71,7 @@ static po_request request_of(const po_csv *csv, size_t row) {
 static void ask(const po_reference *reference, const po_request *request) {
   for (int quantity = 0; quantity < PO_QUANTITY_COUNT; ++quantity) {
     po_reference_number number = {0};
-    po_reference_point *points = NULL;
+    po_special_point *points = NULL;
     size_t count = 0;
     if (quantity < PO_FOLD_COUNT)
       fuzz_require_message(po_reference_find(reference, (po_quantity)quantity, request, &number));
