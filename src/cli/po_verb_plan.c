@@ -90,24 +90,20 @@ static po_status print_needs(const po_plan *plan) {
   return PO_OK;
 }
 
-static po_status describe(const po_case *kase, po_plan **plan) {
-  po_status status = po_plan_create(kase, po_environment_data(), NULL, plan);
-  if (!status)
-    status = po_plan_describe(*plan);
-  if (status)
-    po_plan_destroy(*plan);
-  return status;
-}
-
 static po_status print_plan(const po_case *kase) {
   po_plan *plan = NULL;
-  po_status status = describe(kase, &plan);
+  po_status status = po_plan_create(kase, po_environment_data(), NULL, &plan);
   if (status)
     return status;
-  printf("%s: %s\n", kase->file->name, kase->file->title);
-  for (size_t i = 0; i < plan->line_count; ++i)
-    printf("  %s\n", plan->lines[i]);
-  status = print_needs(plan);
+  json_t *lines = po_plan_describe(plan);
+  status = lines ? PO_OK : PO_NO_MEMORY;
+  if (!status)
+    printf("%s: %s\n", kase->file->name, kase->file->title);
+  for (size_t i = 0; i < json_array_size(lines); ++i)
+    printf("  %s\n", json_string_value(json_array_get(lines, i)));
+  json_decref(lines);
+  if (!status)
+    status = print_needs(plan);
   bool lacking = false;
   for (unsigned c = 0; c < kase->file->checks_count; ++c)
     lacking = lacking || (kase->file->checks[c].type == PO_REFERENCE_PINS &&
@@ -130,7 +126,7 @@ static json_t *point_json(const po_plan *plan, size_t i) {
 /* The plan of a case, added to an array. */
 static po_status append_plan(const po_case *kase, json_t **plans) {
   po_plan *plan = NULL;
-  const po_status status = describe(kase, &plan);
+  const po_status status = po_plan_create(kase, po_environment_data(), NULL, &plan);
   if (status)
     return status;
   json_t *points = po_json_empty_array();
@@ -138,8 +134,7 @@ static po_status append_plan(const po_case *kase, json_t **plans) {
     po_json_append(&points, point_json(plan, i));
   po_json_append(plans, PO_JSON_OBJECT({"case", po_json_text(kase->file->name)},
                                        {"title", po_json_text(kase->file->title)},
-                                       {"plan", po_json_texts(plan->lines, plan->line_count)},
-                                       {"points", points}));
+                                       {"plan", po_plan_describe(plan)}, {"points", points}));
   po_plan_destroy(plan);
   return PO_OK;
 }

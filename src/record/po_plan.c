@@ -235,9 +235,6 @@ void po_plan_destroy(po_plan *plan) {
   for (unsigned i = 0; plan->references && po_case_check(plan->kase->file, i); ++i)
     po_reference_close(&plan->references[i]);
   free(plan->references);
-  for (size_t i = 0; i < plan->line_count; ++i)
-    free(plan->lines[i]);
-  free(plan->lines);
   free(plan->name);
   free(plan);
 }

@@ -4,19 +4,17 @@
 
 #include "po_case.h"
 #include "po_digest.h"
+#include "po_json_value.h"
 #include "po_reference.h"
 #include "po_solver.h"
 #include "po_text.h"
 
 typedef struct {
   const po_case *kase;
-  const po_solver *solver;  /* that computes the results; NULL: this program */
-  char *name;               /* in printed lines: of the case, or "SOLVER:CASE" */
-  po_reference *references; /* one a check, then one a measurement (po_case_check), open */
-  unsigned want;            /* bit set of PO_WANT_..., for every point */
-  char **lines;             /* what po_plan_describe says of it; none before */
-  size_t line_count;
-  bool wordless;                    /* memory ran out while it was described */
+  const po_solver *solver;          /* that computes the results; NULL: this program */
+  char *name;                       /* in printed lines: of the case, or "SOLVER:CASE" */
+  po_reference *references;         /* one a check, then one a measurement (po_case_check), open */
+  unsigned want;                    /* bit set of PO_WANT_..., for every point */
   char program[PO_DIGEST_LENGTH];   /* digest of the program or the solver */
   char solve_key[PO_DIGEST_LENGTH]; /* digest of all that determines the results: scenes, program */
   char key[PO_DIGEST_LENGTH];       /* digest of that, the text of the case and the references */
@@ -47,7 +45,7 @@ unsigned po_plan_asked(const po_plan *plan);
 /* Returned: the request of a point, with the results that the plan needs. */
 po_request po_plan_request(const po_plan *plan, size_t point);
 
-/* Fills plan->lines. To be called once. Status: PO_NO_MEMORY. */
-po_status po_plan_describe(po_plan *plan);
+/* Returned: the lines that describe the plan; NULL without memory. */
+json_t *po_plan_describe(const po_plan *plan);
 
 #endif

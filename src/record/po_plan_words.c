@@ -10,29 +10,22 @@
 #include "po_quote.h"
 #include "po_size.h"
 
-/* Adds a line to the description. If memory runs out, plan->wordless is set. */
-static void __attribute__((format(printf, 2, 3))) say(po_plan *plan, const char *format, ...) {
-  char **lines = po_resize(plan->lines, plan->line_count + 1, sizeof *lines);
-  char *printed = NULL;
-  if (lines)
-    plan->lines = lines;
+/* Adds a line to the description. */
+static void __attribute__((format(printf, 2, 3))) say(json_t **lines, const char *format, ...) {
+  char *printed = NULL, *line = NULL;
   va_list arguments;
   va_start(arguments, format);
-  const int length = lines ? vasprintf(&printed, format, arguments) : -1;
+  const int length = vasprintf(&printed, format, arguments);
   va_end(arguments);
-  if (length < 0) {
-    po_fail(PO_NO_MEMORY, "no memory for the description of a plan");
-    plan->wordless = true;
-    return;
-  }
   /* A reason may have several lines, and may have been truncated inside a character. */
   const size_t room = 4 * (size_t)length + 1;
-  char *line = po_resize(NULL, room, 1);
-  if (line)
-    lines[plan->line_count++] = po_quote_text(printed, line, room);
-  else
-    plan->wordless = true;
-  free(printed);
+  if (length < 0)
+    po_fail(PO_NO_MEMORY, "no memory for the description of a plan");
+  else if ((line = po_resize(NULL, room, 1)) != NULL)
+    po_quote_text(printed, line, room);
+  po_json_append(lines, po_json_take_text(line));
+  if (length >= 0)
+    free(printed);
 }
 
 static const char *scenes(size_t count) {
@@ -58,17 +51,17 @@ static point_counts count_properties(const po_case *kase) {
   return count;
 }
 
-static void tell_sample(po_plan *plan) {
+static void tell_sample(const po_plan *plan, json_t **lines) {
   const po_sample_words *sample = plan->kase->file->sample;
   if (!sample)
     return;
-  say(plan,
+  say(lines,
       "draw %zu scenes; each value depends on seed %s, the number of the scene and the name of "
       "its key:",
       sample->count, sample->seed_text);
   for (unsigned i = 0; i < sample->keys_count; ++i) {
     const po_draw *draw = &sample->keys[i];
-    say(plan, "  %s from %s to %s%s%s, %s", draw->key, draw->from_text, draw->to_text,
+    say(lines, "  %s from %s to %s%s%s, %s", draw->key, draw->from_text, draw->to_text,
         draw->times ? " times " : "",
         !draw->times    ? ""
         : draw->by_root ? "the square root of the radius"
@@ -77,88 +70,89 @@ static void tell_sample(po_plan *plan) {
   }
 }
 
-static void tell_scenes(po_plan *plan) {
+static void tell_scenes(const po_plan *plan, json_t **lines) {
   const po_case *kase = plan->kase;
   const po_traced_words *traced = kase->file->traced;
   const point_counts n = count_properties(kase);
   const size_t elastic = n.points - n.rigid, unbounded = n.points - n.bounded;
   const bool series = kase->series_length > 1;
-  say(plan, "solve %zu %s: each traced as one branch from large separation%s", n.points,
+  say(lines, "solve %zu %s: each traced as one branch from large separation%s", n.points,
       scenes(n.points), series ? ", or computed by parameter continuation" : "");
   if (series)
-    say(plan,
+    say(lines,
         "continue the pull-off in %s along %zu series of %zu scenes; every %zu scenes one is "
         "traced as a checkpoint, and further scenes where checkpoints contradict the continuation "
         "between them",
         kase->file->follow, n.points / kase->series_length, kase->series_length, kase->checkpoints);
   if (traced)
-    say(plan,
+    say(lines,
         "trace %s scenes between checkpoints in addition, drawn with seed %s, and compare them "
         "with the continuation",
         traced->count_text, traced->seed_text);
   if (n.rigid)
-    say(plan,
+    say(lines,
         "no influence matrix for %zu rigid %s: elasticity would change the load by less than 1e-8",
         n.rigid, scenes(n.rigid));
   if (elastic)
-    say(plan, "one influence matrix for each of %zu elastic %s", elastic, scenes(elastic));
+    say(lines, "one influence matrix for each of %zu elastic %s", elastic, scenes(elastic));
   if (n.smooth)
-    say(plan, "no waviness for %zu smooth %s: amplitude is 0", n.smooth, scenes(n.smooth));
+    say(lines, "no waviness for %zu smooth %s: amplitude is 0", n.smooth, scenes(n.smooth));
   if (unbounded)
-    say(plan, "add the load beyond the mesh for %zu %s: outer_radius is inf", unbounded,
+    say(lines, "add the load beyond the mesh for %zu %s: outer_radius is inf", unbounded,
         scenes(unbounded));
   if (n.to_end < n.points)
-    say(plan, plan->want & PO_WANT_PRELOAD
-                  ? "end each branch where no harder preload gives a greater pull-off force"
-                  : "end each branch at the preload: the case does not want other preloads");
+    say(lines, plan->want & PO_WANT_PRELOAD
+                   ? "end each branch where no harder preload gives a greater pull-off force"
+                   : "end each branch at the preload: the case does not want other preloads");
   if (n.to_end)
-    say(plan, "trace %zu %s up to approach_end", n.to_end, n.to_end == 1 ? "branch" : "branches");
+    say(lines, "trace %zu %s up to approach_end", n.to_end, n.to_end == 1 ? "branch" : "branches");
 }
 
-static void tell_left_out(po_plan *plan) {
+static void tell_left_out(const po_plan *plan, json_t **lines) {
   for (unsigned i = 0; i < plan->kase->file->leave_out_count; ++i) {
     const po_leave_out *rule = &plan->kase->file->leave_out[i];
-    say(plan, "leave out %zu %s: %.250s", rule->points, scenes(rule->points), rule->because);
+    say(lines, "leave out %zu %s: %.250s", rule->points, scenes(rule->points), rule->because);
   }
 }
 
-static void tell_wants(po_plan *plan) {
+static void tell_wants(const po_plan *plan, json_t **lines) {
   const po_case *kase = plan->kase;
   const po_case_file *file = kase->file;
-  say(plan, kase->series_length > 1
-                ? "no folds or extrema: parameter continuation delivers only the pull-off"
-                : "find on each branch: pull-off, folds, extrema of the load");
+  say(lines, kase->series_length > 1
+                 ? "no folds or extrema: parameter continuation delivers only the pull-off"
+                 : "find on each branch: pull-off, folds, extrema of the load");
   if (plan->want & PO_WANT_CURVE)
-    say(plan, "keep the points of the branch: %s",
+    say(lines, "keep the points of the branch: %s",
         kase->want & PO_WANT_CURVE ? "the case wants the curve" : "the curve is compared");
   else
-    say(plan, "no curves: neither the case nor a check needs them");
-  say(plan, plan->want & PO_WANT_PROFILE
-                ? "keep gap and traction at pull-off: the case wants the profile"
-                : "no profiles: the case does not want them");
+    say(lines, "no curves: neither the case nor a check needs them");
+  say(lines, plan->want & PO_WANT_PROFILE
+                 ? "keep gap and traction at pull-off: the case wants the profile"
+                 : "no profiles: the case does not want them");
   if (plan->want & PO_WANT_HYSTERESIS)
-    say(plan, "simulate loading and unloading, at given approach and at given load: the case wants "
-              "the hysteresis");
+    say(lines,
+        "simulate loading and unloading, at given approach and at given load: the case wants "
+        "the hysteresis");
   if (plan->want & PO_WANT_PRELOAD)
-    say(plan, "find the pull-off for every preload: the case wants the staircase");
+    say(lines, "find the pull-off for every preload: the case wants the staircase");
   if (plan->want & PO_WANT_THEORIES)
-    say(plan, "evaluate the theories: the case wants them");
-  say(plan, plan->want & PO_WANT_DIAGNOSTICS
-                ? "diagnose each scene, and solve it again with the last bit of each input "
-                  "increased and decreased"
-                : "no diagnostics: neither the case nor a check needs them");
+    say(lines, "evaluate the theories: the case wants them");
+  say(lines, plan->want & PO_WANT_DIAGNOSTICS
+                 ? "diagnose each scene, and solve it again with the last bit of each input "
+                   "increased and decreased"
+                 : "no diagnostics: neither the case nor a check needs them");
   if (kase->repeats > 1)
-    say(plan,
+    say(lines,
         "repeat each solve %u times, one solve at a time, in rounds over all points: the case "
         "measures times",
         kase->repeats);
   for (unsigned i = 0; i < file->lines_count; ++i)
-    say(plan, "evaluate the closed form %.40s along a sweep, for line %.60s", file->lines[i].theory,
-        file->lines[i].name);
+    say(lines, "evaluate the closed form %.40s along a sweep, for line %.60s",
+        file->lines[i].theory, file->lines[i].name);
   if (file->figure_script)
-    say(plan, "figure by script %s", file->figure_script);
+    say(lines, "figure by script %s", file->figure_script);
   else
-    say(plan, "no figure: the case names no script");
+    say(lines, "no figure: the case names no script");
 }
 
 /* Reports whether the reference has a value of the quantity of a check for a scene. */
@@ -194,47 +188,47 @@ static void count_points(const po_case *kase, const po_check *check, const po_re
     }
 }
 
-static void tell_measures(po_plan *plan) {
+static void tell_measures(const po_plan *plan, json_t **lines) {
   const po_case *kase = plan->kase;
   for (unsigned i = 0; i < kase->file->measure_count; ++i) {
     const po_check *measure = &kase->file->measure[i];
     size_t concerned = 0, covered = 0;
     count_points(kase, measure, &plan->references[kase->file->checks_count + i], &concerned,
                  &covered);
-    say(plan, "measure the error of %s against %s at %zu of %zu points, without a verdict",
+    say(lines, "measure the error of %s against %s at %zu of %zu points, without a verdict",
         measure->quantity_text, measure->reference, concerned, kase->point_count);
     if (covered < concerned)
-      say(plan, "  but %s has no value for %zu of these", measure->reference, concerned - covered);
+      say(lines, "  but %s has no value for %zu of these", measure->reference, concerned - covered);
   }
 }
 
-static void tell_checks(po_plan *plan) {
+static void tell_checks(const po_plan *plan, json_t **lines) {
   const po_case *kase = plan->kase;
   if (!kase->file->checks_count && !kase->file->measure_count)
-    say(plan, "nothing is compared: the case has no checks");
+    say(lines, "nothing is compared: the case has no checks");
   for (unsigned i = 0; i < kase->file->checks_count; ++i) {
     const po_check *check = &kase->file->checks[i];
     const po_reference *reference = &plan->references[i];
     if (reference->type == PO_REFERENCE_ABSENT) {
-      say(plan, "leave out %s against %s: the file does not exist; its stand-in is %s",
+      say(lines, "leave out %s against %s: the file does not exist; its stand-in is %s",
           check->quantity_text, check->reference, check->stand_in);
       continue;
     }
     size_t concerned = 0, covered = 0;
     count_points(kase, check, reference, &concerned, &covered);
-    say(plan, "compare %s with %s at %zu of %zu points, tolerance %s %s", check->quantity_text,
+    say(lines, "compare %s with %s at %zu of %zu points, tolerance %s %s", check->quantity_text,
         po_reference_shown(reference), concerned, kase->point_count, check->tolerance_text,
         check->kind_text);
     if (check->type == PO_REFERENCE_PINS && !po_pins_exist(reference))
-      say(plan, "  but there are no pins yet");
+      say(lines, "  but there are no pins yet");
     else if (covered < concerned)
-      say(plan, "  but %s has no value for %zu of these", po_reference_shown(reference),
+      say(lines, "  but %s has no value for %zu of these", po_reference_shown(reference),
           concerned - covered);
   }
 }
 
 /* The plan of an external solver: what it is asked, and what it is not. */
-static void describe_solver(po_plan *plan) {
+static void describe_solver(const po_plan *plan, json_t **lines) {
   const po_case *kase = plan->kase;
   size_t asked = 0, made = 0;
   char why[PO_SOLVER_WHY] = "";
@@ -242,23 +236,24 @@ static void describe_solver(po_plan *plan) {
     asked += po_solver_accepts(plan->solver, &kase->points[i].request, why);
   for (unsigned c = 0; c < kase->file->checks_count; ++c)
     made += po_plan_covers(plan, &kase->file->checks[c]);
-  say(plan, "ask the solver %s for %zu of %zu points", plan->solver->name, asked,
+  say(lines, "ask the solver %s for %zu of %zu points", plan->solver->name, asked,
       kase->point_count);
   if (asked < kase->point_count)
-    say(plan, "leave out the others, for example because %s", why);
-  say(plan, "make %zu of %u checks", made, kase->file->checks_count);
+    say(lines, "leave out the others, for example because %s", why);
+  say(lines, "make %zu of %u checks", made, kase->file->checks_count);
 }
 
-po_status po_plan_describe(po_plan *plan) {
+json_t *po_plan_describe(const po_plan *plan) {
+  json_t *lines = po_json_empty_array();
   if (plan->solver)
-    describe_solver(plan);
+    describe_solver(plan, &lines);
   else {
-    tell_sample(plan);
-    tell_scenes(plan);
-    tell_left_out(plan);
-    tell_wants(plan);
-    tell_checks(plan);
-    tell_measures(plan);
+    tell_sample(plan, &lines);
+    tell_scenes(plan, &lines);
+    tell_left_out(plan, &lines);
+    tell_wants(plan, &lines);
+    tell_checks(plan, &lines);
+    tell_measures(plan, &lines);
   }
-  return plan->wordless ? PO_NO_MEMORY : PO_OK;
+  return lines;
 }
