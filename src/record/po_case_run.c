@@ -66,10 +66,9 @@ void po_case_run_clear(po_case_run *run) {
   free(run->folder);
   free(run->points);
   free(run->rounds);
-  free(run->environment);
+  json_decref(run->environment);
   free(run->starts);
   free(run->processes);
-  free(run->kept_folder);
   po_check_results_clear(&run->check_results);
   po_check_results_clear(&run->measured);
   po_plan_destroy(run->plan);

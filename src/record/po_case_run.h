@@ -55,14 +55,13 @@ typedef struct {
   po_check_results check_results;
   po_check_results measured; /* the measurements: errors without a verdict */
   double elapsed;            /* seconds that the solves took */
-  char *environment;         /* of the solves, as JSON; NULL: that of this process */
+  json_t *environment;       /* of the solves; NULL: that of this process */
   /* Of an external solver. */
   size_t chunks; /* number of shares into which the points are divided */
   po_coverage coverage;
   po_ask_process *processes; /* those that were run */
   size_t process_count;
   po_round *starts; /* one a round: the times of a process that is asked nothing; NULL: not timed */
-  char *kept_folder; /* of a process that did not end as it should; NULL: none */
 } po_case_run;
 
 /* A range of numbers of points. */

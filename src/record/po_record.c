@@ -164,14 +164,6 @@ static json_t *results_json(const po_case_run *run, const po_check_results *chec
   return items;
 }
 
-/* Returned: the environment in which the case was solved. */
-static json_t *environment(const po_case_run *run, int jobs) {
-  json_t *found = NULL;
-  if (!run->environment)
-    return po_environment_describe(jobs);
-  return po_json_parse(run->environment, strlen(run->environment), &found) ? NULL : found;
-}
-
 static json_t *processes_json(const po_case_run *run) {
   json_t *array = po_json_empty_array();
   for (size_t i = 0; i < run->process_count; ++i) {
@@ -233,7 +225,9 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"solve_key", po_json_text(run->plan->solve_key)},
       {"figure_script", po_json_text(file->figure_script)},
       {"command", command_json("run", run->plan)}, {"versions", po_environment_versions()},
-      {"environment", environment(run, jobs)}, {"verdict", po_json_text(po_case_run_verdict(run))},
+      {"environment",
+       run->environment ? json_incref(run->environment) : po_environment_describe(jobs)},
+      {"verdict", po_json_text(po_case_run_verdict(run))},
       {"seconds", po_json_number(run->elapsed)}, {"plan", po_json_empty_array()},
       {"points", points}, {"digest", status ? NULL : po_json_text(digest)},
       {"checks", results_json(run, &run->check_results, check_json)},

@@ -137,9 +137,8 @@ static po_status take(void *context, size_t question, po_answer *answer, bool fi
   return status;
 }
 
-/* Adds what processes used. The folder that they left is moved out of *log. Status: PO_NO_MEMORY.
- */
-static po_status keep_log(po_case_run *run, po_ask_log *log) {
+/* Adds what processes used. Status: PO_NO_MEMORY. */
+static po_status keep_log(po_case_run *run, const po_ask_log *log) {
   po_status status = PO_OK;
 #pragma omp critical(po_run_finish)
   {
@@ -151,10 +150,6 @@ static po_status keep_log(po_case_run *run, po_ask_log *log) {
       run->process_count += log->count;
     } else
       status = PO_NO_MEMORY;
-    if (log->folder && !run->kept_folder) {
-      run->kept_folder = log->folder;
-      log->folder = NULL;
-    }
   }
   return status;
 }

@@ -303,14 +303,6 @@ static po_status read_results(po_case_run *run, const char *output) {
   return status == PO_NOT_FOUND ? PO_OK : status;
 }
 
-static po_status take_environment(const po_merge_part *part, po_case_run *run) {
-  po_text text = {0};
-  const po_status status = po_json_print_line(json_object_get(part->root, "environment"), &text);
-  free(run->environment);
-  run->environment = text.data;
-  return status;
-}
-
 /* Reads the points that belong to a shard. Other points in its folder are ignored. */
 static po_status read_points(const po_merge_part *part, po_case_run *run) {
   const po_status status = read_results(run, part->folder);
@@ -326,7 +318,11 @@ static po_status read_points(const po_merge_part *part, po_case_run *run) {
   if (!status && run->damaged)
     return po_fail(PO_CANNOT_READ, "%s: the record of %s was altered: run the shard again",
                    part->folder, run->plan->kase->file->name);
-  return status || !run->points[0].asked ? status : take_environment(part, run);
+  if (!status && run->points[0].asked) {
+    json_decref(run->environment);
+    run->environment = json_incref(json_object_get(part->root, "environment"));
+  }
+  return status;
 }
 
 po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) {

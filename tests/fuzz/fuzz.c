@@ -246,7 +246,7 @@ void fuzz_run_reset(po_case_run *run) {
   }
   po_check_results_clear(&run->check_results);
   po_check_results_clear(&run->measured);
-  free(run->environment);
+  json_decref(run->environment);
   run->environment = NULL;
   run->kept = run->finished = false;
   run->damaged = false;

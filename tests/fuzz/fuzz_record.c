@@ -37,7 +37,7 @@ static void require_written(po_case_run *run, po_case_run *back) {
   char name[64];
   snprintf(name, sizeof name, "back/%s", run->plan->kase->file->name);
   const char *folder = fuzz_path(name);
-  run->environment = strdup("{}");
+  run->environment = po_json_empty_object();
   po_status status = po_record_write(run, folder, 1, NULL);
   fuzz_require(!status, "a record that was read cannot be written: %s", po_message());
   status = po_record_read(back, folder);
