@@ -85,6 +85,22 @@ void po_text_clear(po_text *text) {
   *text = (po_text){0};
 }
 
+char *po_text_take(po_text *text) {
+  if (text->failed)
+    po_text_clear(text);
+  char *data = text->data;
+  *text = (po_text){0};
+  return data;
+}
+
+po_status po_text_print(po_text *text) {
+  const po_status status = text->failed ? PO_NO_MEMORY : PO_OK;
+  if (!status)
+    fputs(po_text_string(text), stdout);
+  po_text_clear(text);
+  return status;
+}
+
 char *po_text_utf8(const char *text) {
   char *copy = po_resize(NULL, (sizeof REPLACEMENT - 1) * strlen(text) + 1, 1);
   if (!copy)

@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_status.h"
+
 /* Initialise to zero, append, use `data` (NUL-terminated after the first append), clear. If memory
  * runs out, `failed` is set, later appends are ignored, and po_message() states it. */
 typedef struct {
@@ -29,6 +31,13 @@ const char *po_text_string(const po_text *text);
 
 /* Frees the string and sets it to zero. */
 void po_text_clear(po_text *text);
+
+/* Returned: the string, to be freed; NULL before the first append, and if memory ran out. */
+char *po_text_take(po_text *text);
+
+/* Prints the string on standard output and clears it. Status: PO_NO_MEMORY; then nothing is
+ * printed. */
+po_status po_text_print(po_text *text);
 
 /* Returned: a copy of a text in valid UTF-8, to be freed. Each byte that is not part of a character
  * becomes U+FFFD (the replacement character); an incomplete character at the end of the text is

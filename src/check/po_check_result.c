@@ -48,9 +48,7 @@ static char *make_id(const po_compare_input *c, const char *suffix) {
   po_check_result_reference(c->check, reference);
   po_text_add(&text, "%s/%s/%s%s%s", c->check->quantity_text, reference,
               c->kase->points[c->point].label, *suffix ? "/" : "", suffix);
-  if (text.failed)
-    po_text_clear(&text);
-  return text.data;
+  return po_text_take(&text);
 }
 
 /* Composes the subject of the quantity and, for a special point, its name. The quantity says

@@ -60,9 +60,7 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
     return po_print_document(po_explain_json(run, choice));
   po_text text = {0};
   po_explain_text(run, choice, &text);
-  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
-  if (!status)
-    fputs(po_text_string(&text), stdout);
+  const po_status status = po_text_print(&text);
   bool lacking = false;
   for (po_finding f = {0}; po_finding_next(run, &f);)
     lacking = lacking ||
@@ -70,7 +68,6 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
                f.item->verdict == PO_MISSING_REFERENCE && po_explain_concerns(run, choice, &f));
   if (!status && lacking)
     po_print_bless(run->plan->kase);
-  po_text_clear(&text);
   return status;
 }
 

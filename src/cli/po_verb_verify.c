@@ -197,10 +197,7 @@ static po_status print(const verify_line *line) {
     po_verdicts_table(session->runs, count, &text);
   else
     add_overview(session->runs, count, po_session_output(session), &text);
-  fputs(po_text_string(&text), stdout);
-  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
-  po_text_clear(&text);
-  return status;
+  return po_text_print(&text);
 }
 
 /* Prints what is not as it was stored. Returned: in *differs, whether that is a failure. */

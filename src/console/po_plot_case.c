@@ -124,14 +124,11 @@ static po_status print(const po_case *kase, const po_key keys[2], const po_plot_
   size_t columns, rows;
   po_text text = {0};
   po_plot_size(&columns, &rows);
+  po_text_add(&text, "%s: pull-off force in %s over %s and %s\n", kase->file->title,
+              po_input_load_unit(&kase->points[0].request), po_key_name(keys[0]),
+              po_key_name(keys[1]));
   po_plot_map_print(map, po_key_name(keys[0]), po_key_name(keys[1]), columns, rows, &text);
-  if (!text.failed)
-    printf("%s: pull-off force in %s over %s and %s\n%s", kase->file->title,
-           po_input_load_unit(&kase->points[0].request), po_key_name(keys[0]), po_key_name(keys[1]),
-           po_text_string(&text));
-  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
-  po_text_clear(&text);
-  return status;
+  return po_text_print(&text);
 }
 
 /* Plots the pull-off forces of such a case as a map: in a file, or as characters if it is NULL.

@@ -28,12 +28,9 @@ void po_print_bless(const po_case *kase) {
 
 po_status po_print_document(json_t *document) {
   po_text text = {0};
-  const po_status status = po_json_print(document, &text);
-  if (!status)
-    fputs(text.data, stdout);
-  po_text_clear(&text);
+  po_json_print(document, &text);
   json_decref(document);
-  return status;
+  return po_text_print(&text);
 }
 
 po_status po_print_digest(json_t *document) {

@@ -286,10 +286,7 @@ po_status po_session_summarise(const po_session *session) {
   for (size_t i = 0; i < session->run_count; ++i)
     if (session->runs[i].plan->kase->file->sample)
       po_summary_add(&session->runs[i], &text);
-  fputs(po_text_string(&text), stdout);
-  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
-  po_text_clear(&text);
-  return status;
+  return po_text_print(&text);
 }
 
 int po_session_end(po_session *session, po_status status) {

@@ -118,9 +118,7 @@ static char *command_of(const po_case_run *run, size_t point, bool curve) {
   po_text_add(&text, "%s%s", solve ? solve : "", curve ? " --curve curve.csv" : "");
   text.failed = text.failed || !solve;
   free(solve);
-  if (text.failed)
-    po_text_clear(&text);
-  return text.data;
+  return po_text_take(&text);
 }
 
 /* The commands of a result or of a failed solve. */
@@ -137,9 +135,7 @@ static char *ask_again(const po_case_run *run, size_t point, const char *output)
     po_text_add(&text, " --output ");
     po_text_add_word(&text, output);
   }
-  if (text.failed)
-    po_text_clear(&text);
-  return text.data;
+  return po_text_take(&text);
 }
 
 static commands commands_of(const po_case_run *run, size_t point, bool curve, const char *output) {

@@ -115,14 +115,12 @@ static int take_piece(const char *piece, size_t size, void *text) {
 /* Prints into a po_text, which detects lack of memory. In jansson 2.14 json_dumps continues after a
  * failed allocation and returns a damaged document. */
 static po_status print(const json_t *document, size_t layout, po_text *text) {
-  if (!document)
-    return po_fail(PO_NO_MEMORY, "out of memory while a JSON document was written");
   const int failed =
-      json_dump_callback(document, take_piece, text, layout | JSON_REAL_PRECISION(17));
+      !document || json_dump_callback(document, take_piece, text, layout | JSON_REAL_PRECISION(17));
+  text->failed = text->failed || failed;
   po_text_add_bytes(text, "\n", 1);
-  return failed || text->failed
-             ? po_fail(PO_NO_MEMORY, "out of memory while a JSON document was written")
-             : PO_OK;
+  return text->failed ? po_fail(PO_NO_MEMORY, "out of memory while a JSON document was written")
+                      : PO_OK;
 }
 
 po_status po_json_print(const json_t *document, po_text *text) {

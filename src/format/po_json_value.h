@@ -55,7 +55,7 @@ void po_json_append(json_t **array, json_t *value);
 void po_json_set_all(json_t **object, json_t *members);
 
 /* Appends a document and a newline to a text: indented, or in one line; numbers have 17 significant
- * digits. Status: PO_NO_MEMORY, also for a document that is NULL. */
+ * digits. Status: PO_NO_MEMORY, also for a document that is NULL; then the text has failed, too. */
 po_status po_json_print(const json_t *document, po_text *text);
 po_status po_json_print_line(const json_t *document, po_text *text);
 

@@ -141,9 +141,7 @@ static char *describe(const po_request *request, bool identity) {
       po_text_add(&command, "%s%s", before, po_want_name(k));
       before = ",";
     }
-  if (command.failed)
-    po_text_clear(&command);
-  return command.data;
+  return po_text_take(&command);
 }
 
 char *po_input_command(const po_request *request) {

@@ -204,9 +204,7 @@ pulloff_status pulloff_result_column(const pulloff_result *result, const char *p
 static po_status print(const json_t *document, char **text) {
   po_text printed = {0};
   const po_status status = po_json_print(document, &printed);
-  if (status)
-    po_text_clear(&printed);
-  *text = printed.data;
+  *text = po_text_take(&printed);
   return status;
 }
 

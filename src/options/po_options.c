@@ -181,10 +181,7 @@ static po_status print_help(const po_options *options) {
   po_text help = {0};
   add_help(options->keys, options->help, &help);
   add_help(options->keys, options->more_help ? options->more_help : "", &help);
-  fputs(po_text_string(&help), stdout);
-  const po_status status = help.failed ? PO_NO_MEMORY : PO_OK;
-  po_text_clear(&help);
-  return status;
+  return po_text_print(&help);
 }
 
 bool po_options_read(const po_options *options, void *line, po_status *status) {

@@ -58,7 +58,7 @@ char *po_plot_caption(const po_request *request) {
   add_quantity(&text, "preload", request->preload.load * units->force, "N");
   add_quantity(&text, "preload", request->preload.approach * units->length, "m");
   add_quantity(&text, "spring", request->stiffness * (units->force / units->length), "N/m");
-  return text.failed ? NULL : text.data;
+  return po_text_take(&text);
 }
 
 po_plot_picture po_plot_begin(char *caption, const po_request *request) {

@@ -63,9 +63,7 @@ static json_t *command_json(const char *verb, const po_plan *plan) {
   po_text text = {0};
   po_text_add(&text, "pulloff %s %s", verb, po_case_word(plan->kase));
   po_plan_add_solver(plan, &text);
-  if (text.failed)
-    po_text_clear(&text);
-  return po_json_take_text(text.data);
+  return po_json_take_text(po_text_take(&text));
 }
 
 static json_t *check_json(const po_case_run *run, const po_check_result *item) {

@@ -121,9 +121,7 @@ static json_t *with_parameters(const po_request *request, po_key name) {
       po_text_add(&text, "%s%s", before, value);
       before = ",";
     }
-  if (text.failed)
-    po_text_clear(&text);
-  return po_json_take_text(text.data);
+  return po_json_take_text(po_text_take(&text));
 }
 
 static json_t *swept_value(const po_request *request, const json_t *input, po_key key) {
@@ -202,9 +200,7 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
 static json_t *rerun_json(const po_plan *plan, size_t point) {
   po_text text = {0};
   po_plan_add_rerun(plan, point, &text);
-  if (text.failed)
-    po_text_clear(&text);
-  return po_json_take_text(text.data);
+  return po_json_take_text(po_text_take(&text));
 }
 
 static json_t *sealed_result(const po_request *request, const po_result *result) {

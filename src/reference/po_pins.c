@@ -46,9 +46,7 @@ static char *path_of(const char *case_path, const char *case_name, const char *s
   const int length = slash ? (int)(slash - case_path + 1) : 0;
   po_text_add(&text, "%.*spins/%s%s%s%s", length, case_path, solver ? solver : "",
               solver ? "/" : "", case_name, ending);
-  if (text.failed)
-    po_text_clear(&text);
-  return text.data;
+  return po_text_take(&text);
 }
 
 /* Checks that the columns of a table of pins are keys of the scene, quantity and value. */

@@ -143,8 +143,8 @@ static po_status choose_knob(po_solver *solver, const char *wanted) {
   po_text_add(&name, "%s", solver->file->name);
   if (knob && solver->knob != knob->values[last])
     po_text_add(&name, "@%s", solver->knob);
-  solver->name = name.data;
-  return name.failed ? PO_NO_MEMORY : PO_OK;
+  solver->name = po_text_take(&name);
+  return solver->name ? PO_OK : PO_NO_MEMORY;
 }
 
 static po_status parse(const po_yaml *yaml, const char *knob, po_solver *solver) {
@@ -186,9 +186,7 @@ char *po_solver_replace(const char *word, const char *name, const char *value) {
       po_text_add(&text, "%s", value);
     at = next ? next + strlen(name) : at + strlen(at);
   }
-  if (text.failed)
-    po_text_clear(&text);
-  return text.data;
+  return po_text_take(&text);
 }
 
 /* Returned: the path of a program that PATH contains; NULL if there is none, or without memory. */
