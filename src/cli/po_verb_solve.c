@@ -80,44 +80,32 @@ static const po_option OPTIONS[] = {PO_SOLVE_LINE_OPTIONS, {0}};
 
 /* -- Numbers with a standard uncertainty: 0.08+-0.01 -- */
 
-/* An option as it was given, in the order of the line. */
+/* The number of a key, as it was given last. */
 typedef struct {
-  int option;
-  char *text;              /* its value without the uncertainty, owned; NULL: it has none */
-  double value, deviation; /* deviation 0: it is not uncertain */
-} given_option;
+  int key;
+  const char *text; /* of the option, without the uncertainty */
+  double value, deviation;
+} uncertain_number;
 
 typedef struct {
   po_solve_line line;
   const po_options *options;
-  given_option *given; /* owned, as the next three */
+  uncertain_number *uncertain; /* in the order of the line; owned, as the next two */
   size_t count, room;
   po_variation *variation;
-  po_solve_line *moved; /* the line with each uncertain number less and more */
+  po_request *moved; /* the request with each uncertain number less and more */
 } uncertain_line;
 
 static const char SIGN[] = "+-";
 
 static void clear(uncertain_line *u) {
-  for (size_t k = 0; k < u->count; ++k)
-    free(u->given[k].text);
-  free(u->given);
+  free(u->uncertain);
   free(u->variation);
   free(u->moved);
 }
 
-static void name_of(const uncertain_line *u, int option, char name[40]) {
-  struct option table[PO_MOST_OPTIONS];
-  const struct option *row = table;
-  po_options_table(u->options, table);
-  while (row->name && row->val != option)
-    ++row;
-  snprintf(name, 40, "%s", row->name ? row->name : "");
-}
-
 /* Whether a number may be uncertain: one of the scene, in SI units or not, or of the preload. */
-static bool may_vary(int option) {
-  const int key = option - PO_OPTION_KEYS;
+static bool may_vary(int key) {
   if (key < 0 || key >= PO_KEY_ALL)
     return false;
   const po_key target = po_key_target((po_key)key);
@@ -125,72 +113,69 @@ static bool may_vary(int option) {
          target == PO_KEY_PRELOAD_LOAD;
 }
 
-static po_status read_uncertain(const uncertain_line *u, given_option *given) {
-  char *sign = strstr(given->text, SIGN), name[40];
-  const char *deviation = sign + strlen(SIGN);
+/* Reads a number with its uncertainty, and cuts the latter off the option. */
+static po_status read_uncertain(char *text, int option, uncertain_number *number) {
+  const int key = option - PO_OPTION_KEYS;
+  char *sign = strstr(text, SIGN), name[PO_FLAG_LENGTH];
+  *number = (uncertain_number){.key = key, .text = text};
   *sign = '\0';
-  if (may_vary(given->option) && po_number_parse(given->text, &given->value) &&
-      po_number_parse(deviation, &given->deviation) && given->deviation > 0.0)
+  if (may_vary(key) && po_number_parse(text, &number->value) &&
+      po_number_parse(sign + strlen(SIGN), &number->deviation) && number->deviation > 0.0)
     return PO_OK;
   *sign = *SIGN;
-  name_of(u, given->option, name);
-  return po_options_refuse(name, given->text,
-                           may_vary(given->option)
-                               ? "a number, or with +- a number and its uncertainty > 0"
-                               : "a value without uncertainty");
+  if (option < PO_OPTION_ROWS)
+    po_key_flag(key, name);
+  return po_options_refuse(option < PO_OPTION_ROWS ? name : OPTIONS[option - PO_OPTION_ROWS].name,
+                           text,
+                           may_vary(key) ? "a number, or with +- a number and its uncertainty > 0"
+                                         : "a value without uncertainty");
 }
 
 /* Takes one option of the command line. */
 static po_status take(void *to, int option) {
   uncertain_line *u = to;
-  given_option *given = po_grow(u->given, u->count, &u->room, sizeof *given);
-  if (!given)
-    return PO_NO_MEMORY;
-  u->given = given;
-  given += u->count++;
-  *given = (given_option){.option = option, .text = optarg ? po_copy_text(optarg) : NULL};
-  if (optarg && !given->text)
-    return PO_NO_MEMORY;
-  if (given->text && strstr(given->text, SIGN)) {
-    const po_status status = read_uncertain(u, given);
+  if (optarg && strstr(optarg, SIGN)) {
+    uncertain_number *grown = po_grow(u->uncertain, u->count, &u->room, sizeof *grown);
+    if (!grown)
+      return PO_NO_MEMORY;
+    u->uncertain = grown;
+    const po_status status = read_uncertain(optarg, option, &grown[u->count++]);
     if (status)
       return status;
   }
-  optarg = given->text;
   return po_options_take(u->options, &u->line, option);
 }
 
-/* Reads the line again, with one number moved. */
-static po_status read_moved(const uncertain_line *u, const given_option *which, double by,
-                            po_solve_line *moved) {
+/* Makes the request of the line with one number moved. */
+static po_status move(const po_solve_line *line, const uncertain_number *number, double by,
+                      po_request *request) {
+  po_solve_line moved = *line;
   char text[PO_NUMBER_LENGTH];
-  po_status status = PO_OK;
-  *moved = po_solve_line_begin();
-  moved->warned = true;
-  po_number_print(which->value + by, text);
-  for (size_t k = 0; k < u->count && !status; ++k) {
-    optarg = &u->given[k] == which ? text : u->given[k].text;
-    status = po_options_take(u->options, moved, u->given[k].option);
-  }
-  return status ? status : po_solve_line_end(moved);
+  po_number_print(number->value + by, text);
+  moved.warned = true;
+  moved.scene.given.text[number->key] = text;
+  moved.request = po_input_default();
+  moved.request.want = line->request.want;
+  const po_status status = po_solve_line_end(&moved);
+  *request = moved.request;
+  return status;
 }
 
-static po_status vary(uncertain_line *u, const given_option *given, size_t number) {
-  po_variation *v = &u->variation[number];
+static po_status vary(uncertain_line *u, const uncertain_number *number, size_t index) {
+  po_variation *v = &u->variation[index];
   po_status status = PO_OK;
-  *v = (po_variation){.value = given->value, .deviation = given->deviation};
-  name_of(u, given->option, v->source);
+  *v = (po_variation){.value = number->value, .deviation = number->deviation};
+  po_key_flag(number->key, v->source);
   for (int more = 0; more < 2 && !status; ++more) {
-    po_solve_line *moved = &u->moved[2 * number + (size_t)more];
-    const double by = PO_VARIATION_REACH * given->deviation;
-    status = read_moved(u, given, more ? by : -by, moved);
+    po_request *moved = &u->moved[2 * index + (size_t)more];
+    const double by = PO_VARIATION_REACH * number->deviation;
+    status = move(&u->line, number, more ? by : -by, moved);
     if (status == PO_BAD_INPUT)
       status =
           po_fail(status, "--%s is %s+-%g, and moved by twice its uncertainty it is refused: %s",
-                  v->source, given->text, given->deviation, po_message());
-    v->moved[more] = &moved->request;
-    v->unit[more] =
-        moved->request.in_si ? moved->request.units.force / u->line.request.units.force : 1.0;
+                  v->source, number->text, number->deviation, po_message());
+    v->moved[more] = moved;
+    v->unit[more] = moved->in_si ? moved->units.force / u->line.request.units.force : 1.0;
   }
   return status;
 }
@@ -202,12 +187,12 @@ static po_status complete(uncertain_line *u) {
   u->moved = po_allocate(2 * u->count, sizeof *u->moved);
   if (!u->variation || !u->moved)
     return PO_NO_MEMORY;
-  size_t number = 0;
-  for (size_t k = 0; k < u->count && !status; ++k)
-    if (u->given[k].deviation > 0.0)
-      status = vary(u, &u->given[k], number++);
+  size_t count = 0;
+  for (size_t k = 0; k < u->count && !status; ++k) /* one that is given again is left out */
+    if (u->uncertain[k].text == u->line.scene.given.text[u->uncertain[k].key])
+      status = vary(u, &u->uncertain[k], count++);
   u->line.request.variation = u->variation;
-  u->line.request.variations = number;
+  u->line.request.variations = count;
   return status;
 }
 

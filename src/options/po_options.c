@@ -8,7 +8,7 @@
 #include "po_suggest.h"
 #include "po_text.h"
 
-enum { DONE = -1, BAD = -2 };
+enum { DONE = -1, BAD = -2, MOST_OPTIONS = 100 };
 
 /* Refuses an option that a table does not have. */
 static void refuse(const po_options *options, const struct option *table, const char *given) {
@@ -44,12 +44,12 @@ static int next(const po_options *options, const struct option *table) {
   }
 }
 
-_Static_assert(PO_KEY_ALL + 32 < PO_MOST_OPTIONS,
+_Static_assert(PO_KEY_ALL + 32 < MOST_OPTIONS,
                "a verb has at most 30 options of its own, and --help");
 
 /* Appends the options of the keys of a verb (PO_FOR_...) to a table of `count` rows. Returned: the
  * number of rows. */
-static size_t add_key_options(unsigned verb, struct option table[PO_MOST_OPTIONS], size_t count) {
+static size_t add_key_options(unsigned verb, struct option table[MOST_OPTIONS], size_t count) {
   static char names[PO_KEY_ALL][PO_FLAG_LENGTH];
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     if (!(po_key_row_of(key)->verbs & verb))
@@ -143,7 +143,8 @@ static void add_help(unsigned verb, const char *text, po_text *help) {
   }
 }
 
-void po_options_table(const po_options *options, struct option table[PO_MOST_OPTIONS]) {
+/* Fills the table of all options of a verb, whose last row is zero. */
+static void make_table(const po_options *options, struct option table[MOST_OPTIONS]) {
   size_t count = 0;
   for (const po_option *row = options->options; row->name; ++row, ++count)
     table[count] =
@@ -185,9 +186,9 @@ static po_status print_help(const po_options *options) {
 }
 
 bool po_options_read(const po_options *options, void *line, po_status *status) {
-  struct option table[PO_MOST_OPTIONS];
+  struct option table[MOST_OPTIONS];
   int option = 0;
-  po_options_table(options, table);
+  make_table(options, table);
   *status = PO_OK;
   while (!*status && (option = next(options, table)) != DONE) {
     if (option == PO_OPTION_HELP) {

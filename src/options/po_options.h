@@ -11,8 +11,6 @@
 #include "po_status.h"
 #include "po_text.h"
 
-enum { PO_MOST_OPTIONS = 100 };
-
 /* Exit codes of the program. */
 enum {
   PO_EXIT_OK = 0,
@@ -73,9 +71,6 @@ typedef struct {
   po_status (*take_key)(void *line, int option); /* takes PO_OPTION_PHYSICAL, or that of a key */
   po_status (*take)(void *line, int option);     /* in place of po_options_take; NULL: that */
 } po_options;
-
-/* Fills the table of all options of a verb, whose last row is zero. */
-void po_options_table(const po_options *options, struct option table[PO_MOST_OPTIONS]);
 
 /* Stores one option, whose value is in optarg, in the line. Status: PO_BAD_INPUT. */
 po_status po_options_take(const po_options *options, void *line, int option);
