@@ -1,9 +1,9 @@
-/* Runs gnuplot: the script goes to its standard input, the figure comes from its standard output.
- */
+/* Runs gnuplot: its standard input and its standard output are files in memory, with the script and
+ * for the figure. */
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,65 +20,37 @@ bool po_plot_is_figure(const char *file) {
   return strcmp(ending, "svg") == 0 || strcmp(ending, "png") == 0 || strcmp(ending, "pdf") == 0;
 }
 
-/* Starts gnuplot. Returned: its process, and the ends of the two pipes; -1 with a message. */
-static pid_t start(int *to, int *from) {
-  int in[2] = {-1, -1}, out[2] = {-1, -1};
-  pid_t child = -1;
-  if (pipe(in) == 0 && pipe(out) == 0)
-    child = fork();
-  if (child == 0) {
-    dup2(in[0], STDIN_FILENO);
-    dup2(out[1], STDOUT_FILENO);
-    for (int k = 0; k < 2; ++k) {
-      close(in[k]);
-      close(out[k]);
-    }
-    /* In the locale C gnuplot warns of the characters of its own tables. */
-    setenv("LC_ALL", "C.UTF-8", 1);
-    execlp("gnuplot", "gnuplot", "-", (char *)NULL);
-    _exit(127);
-  }
-  if (child < 0)
-    po_fail(PO_MISSING_TOOL, "gnuplot cannot be started: %s", strerror(errno));
-  close(in[0]);
-  close(out[1]);
-  *to = in[1];
-  *from = out[0];
-  return child;
-}
-
-/* Writes the script; a gnuplot that ended early is noticed by its exit code. */
-static void send(int to, const po_text *script) {
-  size_t sent = 0;
-  while (sent < script->length) {
-    const ssize_t now = write(to, script->data + sent, script->length - sent);
-    if (now < 0 && errno != EINTR)
-      break;
-    sent += now > 0 ? (size_t)now : 0;
-  }
-  close(to);
-}
-
-static void receive(int from, po_text *figure) {
-  char bytes[1 << 14];
-  ssize_t now;
-  while ((now = read(from, bytes, sizeof bytes)) > 0 || (now < 0 && errno == EINTR))
-    if (now > 0)
-      po_text_add_bytes(figure, bytes, (size_t)now);
-  close(from);
+/* Starts gnuplot, which reads one file and writes the other. Returned: its process; -1: errno. */
+static pid_t start(int script, int figure) {
+  const pid_t child = fork();
+  if (child)
+    return child;
+  dup2(script, STDIN_FILENO);
+  dup2(figure, STDOUT_FILENO);
+  /* In the locale C gnuplot warns of the characters of its own tables. */
+  setenv("LC_ALL", "C.UTF-8", 1);
+  execlp("gnuplot", "gnuplot", "-", (char *)NULL);
+  _exit(127);
 }
 
 static po_status run(const po_text *script, po_text *figure) {
-  int to = -1, from = -1, ending = 0;
-  void (*before)(int) = signal(SIGPIPE, SIG_IGN);
-  const pid_t child = start(&to, &from);
-  if (child > 0) {
-    send(to, script); /* gnuplot prints nothing before the last lines of the script */
-    receive(from, figure);
-    while (waitpid(child, &ending, 0) < 0 && errno == EINTR)
-      continue;
-  }
-  signal(SIGPIPE, before);
+  const int from = memfd_create("script", MFD_CLOEXEC), to = memfd_create("figure", MFD_CLOEXEC);
+  pid_t child = -1;
+  int ending = 0;
+  char bytes[1 << 14];
+  ssize_t got = 0;
+  for (size_t put = 0; put < script->length && got >= 0; put += (size_t)got)
+    got = pwrite(from, script->data + put, script->length - put, (off_t)put);
+  if (got >= 0 && to >= 0)
+    child = start(from, to);
+  if (child < 0)
+    po_fail(PO_MISSING_TOOL, "gnuplot cannot be started: %s", strerror(errno));
+  while (child > 0 && waitpid(child, &ending, 0) < 0 && errno == EINTR)
+    continue;
+  while (!figure->failed && (got = pread(to, bytes, sizeof bytes, (off_t)figure->length)) > 0)
+    po_text_add_bytes(figure, bytes, (size_t)got);
+  close(from);
+  close(to);
   if (child < 0)
     return PO_MISSING_TOOL;
   if (WIFEXITED(ending) && WEXITSTATUS(ending) == 127)
