@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "po_ask_folder.h"
+#include "po_file.h"
 #include "po_memory.h"
 #include "po_process.h"
 #include "po_quote.h"
@@ -25,6 +26,7 @@ typedef struct {
   const volatile sig_atomic_t *stop;
   po_ask_log *log;
   po_taking taking;
+  bool late; /* the time limit of the first open question of the present process passed */
 } asking;
 
 /* Returned: the last line that a process printed, without blanks; "" if there is none. */
@@ -41,18 +43,18 @@ static void last_line(const char *output, char *line, size_t size) {
 }
 
 /* Returned: the status of the first question that a process left open, and in `why` the reason. */
-static po_status judge_end(const po_taking *t, const po_process_end *end, bool late,
-                           const po_response *response, char *why, size_t size) {
+static po_status judge_end(const asking *a, const po_process_end *end, char *why, size_t size) {
+  const po_taking *t = &a->taking;
   char line[200], ended[80] = "";
   last_line(end->output, line, sizeof line);
-  if (late) {
+  if (a->late) {
     snprintf(why, size, "no answer within %.4g s; the solver was stopped",
              t->questions[po_taking_first(t)].limit);
     return PO_TIMED_OUT;
   }
-  if (response->wrong[0] || end->flooded) {
+  if (t->response.wrong[0] || end->flooded) {
     snprintf(why, size, "%s; the solver was stopped",
-             response->wrong[0] ? response->wrong : "it printed more than 256 MB");
+             t->response.wrong[0] ? t->response.wrong : "it printed more than 256 MB");
     return PO_INVALID;
   }
   if (end->signal)
@@ -83,36 +85,32 @@ static po_status add_process(asking *a, const po_ask_process *process) {
   return PO_OK;
 }
 
-/* Reads the answers of a running process until it ends, or must be ended. Returned: in *late,
- * whether the time limit of the first open question passed. */
-static po_status listen(asking *a, po_process *process, po_response *response,
-                        po_ask_process *found, bool *late) {
+/* Reads the answers of a running process until it ends, or must be ended. */
+static po_status listen(asking *a, po_process *process, po_ask_process *found) {
   po_taking *t = &a->taking;
   double last = process->begin;
-  bool news = false, any = false;
   po_status status = PO_OK;
-  *late = false;
   while (!status && !po_process_wait(process, LOOK)) {
-    status = po_taking_lines(t, response, false, &found->found, &news);
-    if (news) {
+    const size_t before = t->found.lines;
+    status = po_taking_lines(t, false);
+    if (t->found.lines > before)
       last = po_clock_wall();
-      found->first = any ? found->first : last - process->begin;
-      any = true;
-    }
+    if (t->found.lines && !before)
+      found->first = last - process->begin;
     const size_t open = po_taking_first(t);
     const double limit = open < t->count ? t->questions[open].limit : GRACE;
-    *late = po_clock_wall() - last > limit + (any ? 0 : a->solver->start_limit);
+    a->late = po_clock_wall() - last > limit + (t->found.lines ? 0 : a->solver->start_limit);
     const double grace = status == PO_INTERRUPTED ? 0 : GRACE; /* the taker needs no more */
     if (a->stop && *a->stop)
       status = PO_INTERRUPTED;
-    if (status || *late || response->wrong[0])
+    if (status || a->late || t->response.wrong[0])
       po_process_stop(process, grace);
   }
   if (!process->running && (!status || status == PO_INTERRUPTED)) {
-    const po_status taken = po_taking_lines(t, response, !status, &found->found, &news);
+    const po_status taken = po_taking_lines(t, !status);
     status = status ? status : taken;
   }
-  if (news && !any)
+  if (t->found.lines && isnan(found->first))
     found->first = process->end.wall;
   return status;
 }
@@ -130,51 +128,62 @@ static void keep_folder(po_ask_log *log, char **folder, bool unusual) {
   }
 }
 
-/* Starts a process and takes its answers. Given: `folder`, with the request. Returned: in *found,
- * what it used; in *end, how it ended; in *late, see listen. */
-static po_status run_in(asking *a, const po_ask_folder *folder, po_response *response,
-                        po_ask_process *found, po_process_end *end, bool *late) {
+/* Writes the request, and the same as a table. */
+static po_status write_request(const asking *a, const po_ask_folder *folder) {
+  const po_taking *t = &a->taking;
+  po_text request = {0}, table = {0};
+  po_status status =
+      po_questions_print(a->solver, t->questions, t->open, t->count, &request, &table);
+  if (!status)
+    status = po_file_write(folder->request, request.data, request.length);
+  if (!status)
+    status = po_file_write(folder->table, table.data, table.length);
+  po_text_clear(&request);
+  po_text_clear(&table);
+  return status;
+}
+
+/* Starts a process in its folder, with the request, and takes its answers. Returned: in *end, how
+ * it ended. */
+static po_status run_in(asking *a, const po_ask_folder *folder, po_process_end *end) {
   po_process process;
+  po_ask_process used = {.first = NAN};
+  for (size_t i = 0; i < a->taking.count; ++i)
+    used.asked += a->taking.open[i];
   po_status status = po_process_start(a->solver, folder, &process);
   if (status)
     return status;
-  status = listen(a, &process, response, found, late);
+  status = listen(a, &process, &used);
   if (process.running)
     po_process_stop(&process, GRACE);
   *end = process.end;
-  found->wall = end->wall;
-  found->processor = end->processor;
-  found->left = end->left;
-  const po_status added = add_process(a, found);
+  used.found = a->taking.found;
+  used.wall = end->wall;
+  used.processor = end->processor;
+  used.left = end->left;
+  const po_status added = add_process(a, &used);
   return status ? status : added;
 }
 
-/* Runs one process for all open questions. Returned: in *fruitless, whether it gave no answer; in
- * *late, whether it was stopped at a time limit. */
-static po_status run_process(asking *a, bool *fruitless, bool *late) {
+/* Runs one process for all open questions. */
+static po_status run_process(asking *a) {
   po_taking *t = &a->taking;
   po_ask_folder folder;
   po_process_end end = {0};
-  po_ask_process found = {.first = NAN};
-  for (size_t i = 0; i < t->count; ++i)
-    found.asked += t->open[i];
   po_status status = po_ask_folder_make(a->folder, a->key, &folder);
   if (!status)
-    status = po_ask_folder_write(&folder, a->solver, t->questions, t->open, t->count);
-  po_response response = {.path = folder.response, .file = -1};
-  po_taking_begin(t);
-  *late = false;
+    status = write_request(a, &folder);
+  po_taking_begin(t, folder.response);
+  a->late = false;
   if (!status)
-    status = run_in(a, &folder, &response, &found, &end, late);
-  *fruitless = found.found.answered == 0;
+    status = run_in(a, &folder, &end);
   const size_t open = po_taking_first(t);
   if (!status && open < t->count) {
     char why[sizeof t->complaint];
-    const po_status ending = judge_end(t, &end, *late, &response, why, sizeof why);
+    const po_status ending = judge_end(a, &end, why, sizeof why);
     status = po_taking_give_up(t, open, ending, why);
   } else if (!status && (t->complaint[0] || end.left || end.code))
     t->unusual = true;
-  po_response_close(&response);
   /* if an answer could not be stored, the next run takes it from the folder */
   if (!status || status == PO_INTERRUPTED || !a->key)
     keep_folder(a->log, &folder.path, t->unusual);
@@ -196,12 +205,11 @@ static po_status ask_all(asking *a) {
   unsigned fruitless = 0;
   po_status status = PO_OK;
   while (!status && po_taking_first(&a->taking) < a->taking.count) {
-    bool none = false, late = false;
-    status = run_process(a, &none, &late);
-    if (none && !(late && a->taking.ever))
-      ++fruitless;
-    else if (!none)
+    status = run_process(a);
+    if (a->taking.found.answered)
       fruitless = 0;
+    else if (!(a->late && a->taking.ever))
+      ++fruitless;
     if (!status && fruitless >= MOST_FRUITLESS)
       status = abandon(&a->taking);
   }
@@ -212,11 +220,10 @@ po_status po_ask(const po_solver *solver, const po_question *questions, size_t c
                  const char *folder, const char *key, const volatile sig_atomic_t *stop,
                  po_answer_taker *take, void *context, po_ask_log *log) {
   asking a = {.solver = solver, .folder = folder, .key = key, .stop = stop, .log = log};
-  bool none = false, late = false;
   *log = (po_ask_log){0};
   po_status status = po_taking_make(questions, count, take, context, &a.taking);
   if (!status)
-    status = count ? ask_all(&a) : run_process(&a, &none, &late);
+    status = count ? ask_all(&a) : run_process(&a);
   if (status == PO_INTERRUPTED)
     po_fail(status, "interrupted while the solver %s was running", solver->name);
   po_taking_clear(&a.taking);

@@ -12,7 +12,6 @@
 
 #include "po_digest.h"
 #include "po_file.h"
-#include "po_memory.h"
 
 /* Files in the folder of a process. */
 static const char KEY_FILE[] = "key", RESPONSE_FILE[] = "response.jsonl";
@@ -74,21 +73,6 @@ po_status po_ask_folder_make(const char *parent, const char *key, po_ask_folder 
   return status;
 }
 
-po_status po_ask_folder_write(const po_ask_folder *f, const po_solver *solver,
-                              const po_question *questions, const bool *open, size_t count) {
-  po_text request = {0}, table = {0};
-  po_status status = po_questions_json(solver, questions, open, count, &request);
-  if (!status)
-    status = po_questions_table(solver, questions, open, count, &table);
-  if (!status)
-    status = po_file_write(f->request, request.data, request.length);
-  if (!status)
-    status = po_file_write(f->table, table.data, table.length);
-  po_text_clear(&request);
-  po_text_clear(&table);
-  return status;
-}
-
 void po_ask_folder_clear(po_ask_folder *f) {
   free(f->path);
   free(f->request);
@@ -125,62 +109,45 @@ static bool ask_folder_is_debris(const char *folder) {
   return debris;
 }
 
-/* Returned: the path of the response in a folder, to be freed; NULL without memory. */
-static char *ask_folder_response(const char *folder) {
-  return po_path_join(folder, RESPONSE_FILE);
-}
+/* For whom answers are recovered. */
+typedef struct {
+  const po_question *questions;
+  po_answer_taker *take;
+  void *context;
+} recovery;
 
-/* Takes the complete successful answers of a response that an interrupted run left. */
-static po_status take_left(const po_question *questions, size_t count, bool *done, const char *path,
-                           po_answer_taker *take, void *context) {
-  po_response response = {.path = path, .file = -1};
-  po_status status = PO_OK;
-  const char *line = NULL;
-  size_t length = 0, before = 0;
-  do {
-    before = response.read;
-    if (!po_response_read(&response))
-      break;
-    while (!status && (line = po_response_line(&response, false, &length))) {
-      po_answer answer;
-      status = po_answer_read(line, length, &answer);
-      size_t q = 0;
-      while (q < count && (done[q] || strcmp(questions[q].id, answer.id) != 0))
-        ++q;
-      if (!status && q < count)
-        po_answer_check(&questions[q], &answer);
-      /* of repeated solves, all would be needed: such a point is solved again */
-      if (!status && q < count && answer.result.status == PO_OK && questions[q].repeats == 1 &&
-          answer.repeat == 1) {
-        done[q] = true;
-        status = take(context, q, &answer, true);
-      }
-      po_result_clear(&answer.result);
-    }
-  } while (!status && response.read > before);
-  po_response_close(&response);
-  return status;
+/* Takes a complete successful answer that an interrupted run left. Of repeated solves, all would be
+ * needed: such a point is solved again. */
+static po_status take_left(void *context, size_t question, po_answer *answer, bool final) {
+  const recovery *r = context;
+  return answer->result.status || r->questions[question].repeats > 1
+             ? PO_OK
+             : r->take(r->context, question, answer, final);
 }
 
 po_status po_recover(const po_question *questions, size_t count, const char *folder,
                      const char *key, po_answer_taker *take, void *context) {
   char **names = NULL;
   size_t name_count = 0;
-  bool *done = po_allocate(count, sizeof *done);
-  po_status status = done ? PO_OK : PO_NO_MEMORY;
+  recovery r = {questions, take, context};
+  po_taking taking;
+  po_status status = po_taking_make(questions, count, take_left, &r, &taking);
   if (!status && po_path_exists(folder))
     status = po_folder_list(folder, "", &names, &name_count);
   for (size_t i = 0; !status && i < name_count; ++i) {
     char *path = strncmp(names[i], "ask-", 4) == 0 ? po_path_join(folder, names[i]) : NULL;
-    char *response = path && ask_folder_is_left(path, key) ? ask_folder_response(path) : NULL;
-    if (response)
-      status = take_left(questions, count, done, response, take, context);
+    char *response =
+        path && ask_folder_is_left(path, key) ? po_path_join(path, RESPONSE_FILE) : NULL;
+    if (response) {
+      po_taking_begin(&taking, response);
+      status = po_taking_lines(&taking, false);
+    }
     if ((response && !status) || (path && !status && ask_folder_is_debris(path)))
       po_ask_folder_remove(path);
     free(response);
     free(path);
   }
   po_names_free(names, name_count);
-  free(done);
+  po_taking_clear(&taking);
   return status;
 }

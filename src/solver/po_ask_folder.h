@@ -2,7 +2,6 @@
 #ifndef PO_ASK_FOLDER_H
 #define PO_ASK_FOLDER_H
 
-#include "po_question.h"
 #include "po_taking.h"
 
 typedef struct {
@@ -14,11 +13,6 @@ typedef struct {
  * po_ask, or NULL. Returned: to be cleared whatever the status. Status: PO_CANNOT_WRITE,
  * PO_NO_MEMORY. */
 po_status po_ask_folder_make(const char *parent, const char *key, po_ask_folder *folder);
-
-/* Writes the request, and the same as a table. Given: `open`, one flag a question: it is asked.
- * Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
-po_status po_ask_folder_write(const po_ask_folder *folder, const po_solver *solver,
-                              const po_question *questions, const bool *open, size_t count);
 
 /* Forgets the folder and unlocks it; it stays on the disk. */
 void po_ask_folder_clear(po_ask_folder *folder);

@@ -76,7 +76,7 @@ static json_t *question_json(const po_solver *solver, const po_question *q) {
                         {"limit_s", po_json_number(q->limit)});
 }
 
-po_status po_questions_json(const po_solver *solver, const po_question *questions, const bool *open,
+static po_status print_json(const po_solver *solver, const po_question *questions, const bool *open,
                             size_t count, po_text *text) {
   json_t *points = po_json_empty_array();
   for (size_t i = 0; i < count; ++i)
@@ -96,8 +96,8 @@ static void add_number(po_text *text, double value) {
   po_text_add(text, ",%s", isnan(value) ? "-" : number);
 }
 
-po_status po_questions_table(const po_solver *solver, const po_question *questions,
-                             const bool *open, size_t count, po_text *text) {
+po_status po_questions_print(const po_solver *solver, const po_question *questions,
+                             const bool *open, size_t count, po_text *json, po_text *text) {
   bool used[PO_KEY_COUNT] = {false};
   for (size_t i = 0; i < count; ++i)
     for (int key = 0; open[i] && key < PO_KEY_COUNT; ++key)
@@ -134,5 +134,5 @@ po_status po_questions_table(const po_solver *solver, const po_question *questio
     }
     po_text_add(text, "\n");
   }
-  return text->failed ? PO_NO_MEMORY : PO_OK;
+  return text->failed ? PO_NO_MEMORY : print_json(solver, questions, open, count, json);
 }

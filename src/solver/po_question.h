@@ -15,16 +15,12 @@ typedef struct {
   double limit;     /* seconds for each of them */
 } po_question;
 
-/* Appends the request for some questions as JSON. Given: `open`, one flag a question: it is asked.
- * All questions have the same number of repeats. Status: PO_NO_MEMORY. */
-po_status po_questions_json(const po_solver *solver, const po_question *questions, const bool *open,
-                            size_t count, po_text *text);
-
-/* Appends the same request as a CSV table, for languages without JSON: one row a question, with the
- * columns id, limit_s, repeats, load_unit, preload_approach, preload_load, approach_start,
- * approach_end, the knob, and each key of the scene that one of the questions has ("-" for the
- * others). Status: PO_NO_MEMORY. */
-po_status po_questions_table(const po_solver *solver, const po_question *questions,
-                             const bool *open, size_t count, po_text *text);
+/* Appends the request for some questions as JSON, and the same as a CSV table, for languages
+ * without JSON: one row a question, with the columns id, limit_s, repeats, load_unit,
+ * preload_approach, preload_load, approach_start, approach_end, the knob, and each key of the scene
+ * that one of the questions has ("-" for the others). Given: `open`, one flag a question: it is
+ * asked. All questions have the same number of repeats. Status: PO_NO_MEMORY. */
+po_status po_questions_print(const po_solver *solver, const po_question *questions,
+                             const bool *open, size_t count, po_text *json, po_text *table);
 
 #endif

@@ -71,7 +71,7 @@ static double reported_by(const po_answer *answer) {
          (isfinite(answer->solve) ? answer->solve : 0);
 }
 
-static po_status take_line(po_taking *t, const char *line, size_t length, po_taking_count *found) {
+static po_status take_line(po_taking *t, const char *line, size_t length) {
   po_answer answer;
   po_status status = po_answer_read(line, length, &answer);
   const size_t q = status ? t->count : find_question(t, answer.id);
@@ -87,17 +87,16 @@ static po_status take_line(po_taking *t, const char *line, size_t length, po_tak
   if (!status && q == t->count)
     t->unusual = true;
   if (!status && q < t->count) {
-    found->answered += 1;
-    found->reported += reported_by(&answer);
+    t->found.answered += 1;
+    t->found.reported += reported_by(&answer);
     status = take_answer(t, q, &answer);
   }
   po_result_clear(&answer.result);
   return status;
 }
 
-/* The lines of a response file that is being written. */
-
-const size_t PO_RESPONSE_BYTES = (size_t)256 << 20, PO_RESPONSE_LINE = (size_t)32 << 20;
+/* A response, and the longest line in it, of more bytes end the process. */
+static const size_t MOST_BYTES = (size_t)256 << 20, LONGEST_LINE = (size_t)32 << 20;
 
 static bool refuse(po_response *response, const char *why) {
   if (!response->wrong[0])
@@ -129,7 +128,9 @@ static void drop_taken(po_response *response) {
   response->taken = 0;
 }
 
-bool po_response_read(po_response *response) {
+/* Reads what has been added to the file. Returned: false if something is wrong with it, or without
+ * memory. */
+static bool read_more(po_response *response) {
   char bytes[1 << 14];
   struct stat found;
   if (response->wrong[0] || (response->file < 0 && !open_file(response)))
@@ -147,16 +148,18 @@ bool po_response_read(po_response *response) {
       return !response->pending.failed;
     response->read += (size_t)got;
     po_text_add_bytes(&response->pending, bytes, (size_t)got);
-    if (response->read > PO_RESPONSE_BYTES)
+    if (response->read > MOST_BYTES)
       return refuse(response, "the response has more than 256 MB");
     if (memchr(bytes, '\n', (size_t)got))
       return !response->pending.failed; /* first take these lines */
-    if (response->pending.length > PO_RESPONSE_LINE)
+    if (response->pending.length > LONGEST_LINE)
       return refuse(response, "a line of the response has more than 32 MB");
   }
 }
 
-const char *po_response_line(po_response *response, bool last, size_t *length) {
+/* Returned: the next complete line that is not blank, *length bytes that end with a NUL; NULL if
+ * there is none. */
+static const char *next_line(po_response *response, bool last, size_t *length) {
   po_text *p = &response->pending;
   for (;;) {
     char *begin = p->data ? p->data + response->taken : NULL;
@@ -173,34 +176,35 @@ const char *po_response_line(po_response *response, bool last, size_t *length) {
   }
 }
 
-void po_response_close(po_response *response) {
-  if (response->file >= 0)
-    close(response->file);
-  response->file = -1;
-  po_text_clear(&response->pending);
-}
-
-po_status po_taking_lines(po_taking *t, po_response *response, bool last, po_taking_count *found,
-                          bool *news) {
+po_status po_taking_lines(po_taking *t, bool last) {
+  po_response *response = &t->response;
   po_status status = PO_OK;
   bool more = true;
-  *news = false;
   while (!status && more) {
     const size_t before = response->read;
-    if (!po_response_read(response))
+    if (!read_more(response))
       return response->wrong[0] ? PO_OK : PO_NO_MEMORY;
     more = response->read > before;
     size_t length = 0;
     const char *line = NULL;
-    while (!status && (line = po_response_line(response, last && !more, &length))) {
-      *news = true;
-      status = take_line(t, line, length, found);
+    while (!status && (line = next_line(response, last && !more, &length))) {
+      t->found.lines += 1;
+      status = take_line(t, line, length);
     }
   }
   return status;
 }
 
-void po_taking_begin(po_taking *t) {
+static void close_response(po_response *response) {
+  if (response->file >= 0)
+    close(response->file);
+  po_text_clear(&response->pending);
+}
+
+void po_taking_begin(po_taking *t, const char *response) {
+  close_response(&t->response);
+  t->response = (po_response){.path = response, .file = -1};
+  t->found = (po_taking_count){0};
   t->complaint[0] = '\0';
   t->unusual = false;
   for (size_t q = 0; q < t->count; ++q) {
@@ -216,6 +220,7 @@ po_status po_taking_make(const po_question *questions, size_t count, po_answer_t
                    .count = count,
                    .take = take,
                    .context = context,
+                   .response.file = -1,
                    .open = po_allocate(count, sizeof(bool)),
                    .asked = po_allocate(count, sizeof(bool)),
                    .seen = po_allocate(count, sizeof(unsigned)),
@@ -228,9 +233,10 @@ po_status po_taking_make(const po_question *questions, size_t count, po_answer_t
 }
 
 void po_taking_clear(po_taking *t) {
+  close_response(&t->response);
   free(t->open);
   free(t->asked);
   free(t->seen);
   free(t->spoiled);
-  *t = (po_taking){0};
+  *t = (po_taking){.response.file = -1};
 }

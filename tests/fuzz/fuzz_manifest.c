@@ -13,10 +13,9 @@ static void require_request(const po_solver *solver, const po_request *request) 
   po_text text = {0}, table = {0};
   json_t *document = NULL;
   question.want = solver->quantities;
-  fuzz_require(po_questions_json(solver, &question, &open, 1, &text) == PO_OK &&
+  fuzz_require(po_questions_print(solver, &question, &open, 1, &text, &table) == PO_OK &&
                    po_json_parse(text.data, text.length, &document) == PO_OK,
                "a request is not JSON: %s", po_message());
-  fuzz_require(po_questions_table(solver, &question, &open, 1, &table) == PO_OK, "no table");
   fuzz_require_words("a table", table.data, true);
   json_decref(document);
   po_text_clear(&text);
