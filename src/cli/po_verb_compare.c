@@ -1,10 +1,12 @@
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "po_json.h"
 #include "po_plot_scene.h"
 #include "po_print.h"
 #include "po_quote.h"
+#include "po_si.h"
 #include "po_solve_line.h"
 #include "po_suggest.h"
 #include "po_verbs.h"
@@ -57,17 +59,60 @@ static po_status check_row(const po_result *result, const po_theory *only) {
 
 /* Leaves only the row of a theory, if one was named. */
 static void keep(po_result *result, const po_theory *only) {
-  if (!only)
+  if (!only || !result->theory_count)
     return;
   result->theories[0] = result->theories[*only];
   result->theory_count = 1;
 }
 
-static po_status print(const po_solve_line *line, const po_theory *only, const po_result *result) {
+/* A number with its unit, or - if there is none. */
+static const char *number_or_dash(const char *format, double value, char text[32]) {
+  if (isnan(value))
+    return "-";
+  snprintf(text, 32, format, value);
+  return text;
+}
+
+static void print_row(const po_theory_row *row, const po_si_unit *force) {
+  static const char *const HOLDS[] = {"unknown", "no", "yes"};
+  char deviation[32], error[32];
+  printf("%-26s ", po_theory_words(row->theory));
+  if (isnan(row->force)) {
+    printf("not evaluated: %s\n", row->reason);
+    return;
+  }
+  printf("%12.7g ", row->force);
+  if (force)
+    printf("%12.7g ", row->force * force->factor);
+  printf("%11s %9s %-7s ", number_or_dash("%+.2f %%", 100.0 * row->deviation, deviation),
+         number_or_dash("%.1e %%", 100.0 * row->deviation_error, error), HOLDS[row->holds]);
+  char number[32];
+  printf("%s %s, expected %s %g\n", po_assumption_words(row->decided_by),
+         isnan(row->number) ? "unknown" : number_or_dash("%.4g", row->number, number),
+         row->at_least ? "at least" : "at most", row->limit);
+}
+
+/* Prints the table of the theories and their sources. Given: the units for a column in N, or NULL.
+ */
+static void print_theories(const po_result *result, const po_units *units) {
+  const po_si_unit unit = units ? po_si_prefixed(units, PO_DIMENSION_LOAD) : (po_si_unit){0};
+  char head[32] = "";
+  if (units)
+    snprintf(head, sizeof head, "%*s%s ", 12 - (int)strlen(unit.name), "force/", unit.text);
+  printf("%-26s %12s %s%11s %9s %-7s %s\n", "theory", "force", head, "deviation", "error", "holds",
+         "decided by");
+  for (size_t k = 0; k < result->theory_count; ++k)
+    print_row(&result->theories[k], units ? &unit : NULL);
+  printf("%-26s %s\n", "theory", "source");
+  for (size_t k = 0; k < result->theory_count; ++k)
+    printf("%-26s %s\n", po_theory_words(result->theories[k].theory), result->theories[k].source);
+}
+
+static po_status print(const po_solve_line *line, const po_result *result) {
   if (line->json)
     return po_print_json(&line->request, &line->scene.given, result);
   po_print_summary(&line->request, result);
-  po_print_theories(result, only, line->request.in_si ? &line->request.units : NULL);
+  print_theories(result, line->request.in_si ? &line->request.units : NULL);
   return po_print_digest(po_json_document(&line->request, result));
 }
 
@@ -77,8 +122,8 @@ static int compare(po_solve_line *line, const po_theory *only) {
   const po_status solved = po_solve_line_observe(line, &result);
   po_status status = solved ? PO_OK : check_row(&result, only);
   if (!status) {
-    keep(&result, solved ? NULL : only);
-    status = print(line, only, &result);
+    keep(&result, only);
+    status = print(line, &result);
   }
   if (!status && !solved && line->plot)
     status = po_plot_of_theories(&line->request, &result, line->plot);

@@ -257,6 +257,39 @@ static void print_input(const po_request *request) {
     print_table(&request->scene.profile);
 }
 
+/* The theories of the line, at most so many, the nearest one first. Of two with the same force the
+ * first one is named. */
+static const po_theory KNOWN[] = {PO_THEORY_MAUGIS, PO_THEORY_JKR, PO_THEORY_GUDURU, PO_THEORY_DMT,
+                                  PO_THEORY_RIGID};
+enum { KNOWN_COUNT = sizeof KNOWN / sizeof *KNOWN, MOST_NAMED = 3 };
+static const double SAME = 1e-6;
+
+/* Inserts a row by its deviation, unless one with the same force is there. */
+static void insert(const po_theory_row *row, const po_theory_row *sorted[], size_t *count) {
+  size_t at = *count;
+  for (size_t k = 0; k < *count; ++k)
+    if (fabs(sorted[k]->force - row->force) <= SAME * row->force)
+      return;
+  for (; at > 0 && fabs(sorted[at - 1]->deviation) > fabs(row->deviation); --at)
+    sorted[at] = sorted[at - 1];
+  sorted[at] = row;
+  ++*count;
+}
+
+/* One line with the deviations of the best known theories; nothing without any. */
+static void print_theories(const po_result *result) {
+  const po_theory_row *sorted[KNOWN_COUNT];
+  size_t count = 0;
+  for (size_t k = 0; k < KNOWN_COUNT && result->theory_count == PO_THEORY_COUNT; ++k)
+    if (isfinite(result->theories[KNOWN[k]].deviation))
+      insert(&result->theories[KNOWN[k]], sorted, &count);
+  for (size_t k = 0; k < count && k < MOST_NAMED; ++k)
+    printf("%s%s %+.1f %%", k ? ", " : "theories ", po_theory_words(sorted[k]->theory),
+           100.0 * sorted[k]->deviation);
+  if (count)
+    printf("; pulloff compare says more\n");
+}
+
 void po_print_summary(const po_request *request, const po_result *result) {
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(result->status),
@@ -271,7 +304,7 @@ po_status po_print_text(const po_request *request, const po_given *given, const 
   print_sensitivity(request, result);
   print_preload(result);
   print_ended(result);
-  po_print_theories_line(result);
+  print_theories(result);
   if (result->fold_count + result->extremum_count) {
     printf("%-9s %16s %8s %16s %8s %14s %14s%s\n", "point", "approach", "error", "load", "error",
            "contact radius", "unstable modes", isnan(request->stiffness) ? "" : "  at base");

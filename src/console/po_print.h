@@ -1,5 +1,4 @@
-/* Prints results on standard output: of one solve, as text or JSON, of the theories beside it, and
- * any JSON document. */
+/* Prints results on standard output: of one solve, as text or JSON, and any JSON document. */
 #ifndef PO_PRINT_H
 #define PO_PRINT_H
 
@@ -49,10 +48,6 @@ json_t *po_json_physical(const po_given *given, const po_request *request, const
 /* The same input as text for the terminal. */
 void po_print_physical_input(const po_given *given);
 
-/* Prints the table of the theories and their sources. Given: `only`, the one to be printed, or NULL
- * for all; the units for a column in N, or NULL. */
-void po_print_theories(const po_result *result, const po_theory *only, const po_units *units);
-
 /* -- Parts of po_print_text -- */
 
 /* The input and the results in SI units, for scenes given with --from-physical. */
@@ -65,9 +60,6 @@ void po_print_uncertain(const po_result *result, double unit, const char *name);
 /* The loops and the staircases of the result, of the JKR theory, too, and the sizes of the results
  * that are too long for the terminal: in SI units if the scene is. */
 void po_print_test(const po_request *request, const po_result *result);
-
-/* One line with the deviations of the best known theories; nothing without any. */
-void po_print_theories_line(const po_result *result);
 
 /* A change in percent: rounded to 1e-4, so that a derivative that vanishes is printed as 0. */
 double po_print_percent(double change);
