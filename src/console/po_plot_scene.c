@@ -19,7 +19,8 @@ po_status po_plot_take_file(const char *name, void *file) {
                                  "the name of a file that ends in .svg, .png or .pdf");
 }
 
-void po_plot_size(size_t *columns, size_t *rows) {
+/* The size of a plot in characters: that of the terminal, within limits. */
+static void find_size(size_t *columns, size_t *rows) {
   enum { COLUMNS = 66, ROWS = 21, BESIDE = 14, BELOW = 5, LEAST = 20 };
   struct winsize window;
   *columns = COLUMNS;
@@ -31,26 +32,13 @@ void po_plot_size(size_t *columns, size_t *rows) {
   }
 }
 
-/* The folder of the scripts, to be freed. */
-static char *figures(void) {
-  return po_path_join(po_environment_data(), "reports/figures");
-}
-
-po_status po_plot_map_draw(const po_text *script, const char *file) {
-  char *folder = figures();
-  const po_status status =
-      folder ? po_plot_run(script, folder, "map.gp", NULL, file) : PO_NO_MEMORY;
-  free(folder);
-  return status;
-}
-
 static po_status print(po_plot_picture *picture) {
   size_t columns, rows;
   po_text text = {0};
-  po_plot_size(&columns, &rows);
+  find_size(&columns, &rows);
   const po_status status = po_plot_print(picture, columns, rows, &text);
   enum { LINE = 80 }; /* that of a scene is longer, and known to whoever gave it */
-  if (!status && strlen(picture->caption) < LINE)
+  if (!status && !picture->map && strlen(picture->caption) < LINE)
     puts(picture->caption);
   if (!status)
     fputs(po_text_string(&text), stdout);
@@ -59,7 +47,7 @@ static po_status print(po_plot_picture *picture) {
 }
 
 po_status po_plot_show(po_plot_picture *picture, const char *file) {
-  char *folder = figures();
+  char *folder = po_path_join(po_environment_data(), "reports/figures");
   const po_status status = picture->failed || !folder ? PO_NO_MEMORY
                            : file                     ? po_plot_draw(picture, folder, file)
                                                       : print(picture);

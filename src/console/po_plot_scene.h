@@ -1,6 +1,4 @@
-/* The pictures of one scene, of a series of scenes and of a case: a figure in a file, or
- * characters.
- */
+/* The pictures of one scene and of a series of scenes: a figure in a file, or characters. */
 #ifndef PO_PLOT_SCENE_H
 #define PO_PLOT_SCENE_H
 
@@ -20,16 +18,5 @@ po_status po_plot_show(po_plot_picture *picture, const char *file);
 po_status po_plot_of_solve(const po_request *request, const po_result *result, const char *file);
 po_status po_plot_of_theories(const po_request *request, const po_result *result, const char *file);
 po_status po_plot_of_series(const po_printed_series *series, bool folds, const char *file);
-
-/* Draws a map with the script of its data. */
-po_status po_plot_map_draw(const po_text *script, const char *file);
-
-/* The size of a plot in characters: that of the terminal, within limits. */
-void po_plot_size(size_t *columns, size_t *rows);
-
-/* Plots the pull-off forces of a case against a key of its sweep, or as a map if two keys vary.
- * Given: `run`, folder of the records; NULL: the default; `file`, NULL: as characters. Points
- * without a result are solved. */
-po_status po_plot_case(char *name, const char *run, const char *file);
 
 #endif

@@ -55,6 +55,14 @@ typedef struct {
   size_t count, room;
 } po_plot_panel;
 
+/* A value for each pair of an x and a y; both ascend. */
+typedef struct {
+  const char *x_name, *y_name;
+  const double *x, *y;
+  size_t columns, rows; /* at least 2 each */
+  const double *value;  /* columns x rows, row by row; NAN: none */
+} po_plot_map;
+
 enum { PO_PLOT_MOST_PANELS = 6 };
 
 typedef struct {
@@ -63,7 +71,8 @@ typedef struct {
   const po_units *units; /* of a scene in SI units; NULL: dimensionless */
   po_plot_panel panel[PO_PLOT_MOST_PANELS];
   size_t count;
-  bool failed; /* memory ran out */
+  const po_plot_map *map; /* of pull-off forces, in place of panels; NULL: none */
+  bool failed;            /* memory ran out */
 } po_plot_picture;
 
 /* Returned: the caption of a scene, to be freed: its command, or its input in SI units. NULL:
@@ -122,34 +131,18 @@ po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, p
 /* Returned: whether the name of a file ends in .svg, .png or .pdf, the formats of figures. */
 bool po_plot_is_figure(const char *file);
 
-/* A map: a value for each pair of an x and a y; both ascend. */
-typedef struct {
-  const double *x, *y;
-  size_t columns, rows; /* at least 2 each */
-  const double *value;  /* columns x rows, row by row; NAN: none */
-} po_plot_map;
-
-/* Appends the data of a map to a script, for reports/figures/map.gp. Status: PO_NO_MEMORY. */
-po_status po_plot_map_data(const po_plot_map *map, po_text *script);
+/* Appends the data of a map to a script, for reports/figures/map.gp. */
+void po_plot_map_data(const po_plot_map *map, po_text *script);
 
 /* Appends the line below a plot of characters, with the first and the last x below it. Before the
  * plot there are PO_PLOT_LABEL characters for values of y. */
 enum { PO_PLOT_LABEL = 10 };
 void po_plot_add_floor(po_text *text, size_t width, double first, double last);
 
-/* Appends a map of characters, at most `columns` x `rows` of them. */
-void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y_name,
-                       size_t columns, size_t rows, po_text *text);
-
-/* Appends an assignment of a text to a variable of a script. */
-void po_plot_assign(po_text *script, const char *variable, const char *value);
+/* Appends the map of a picture as at most `columns` x `rows` characters. */
+void po_plot_map_print(const po_plot_picture *picture, size_t columns, size_t rows, po_text *text);
 
 /* The unit of loads in a figure, for that of po_input_load_unit. */
 const char *po_plot_load_unit(const char *load_unit);
-
-/* Runs gnuplot with a script, the file `name` of the folder `figures`, and a second script, which
- * may be NULL. Status: as po_plot_draw. */
-po_status po_plot_run(const po_text *script, const char *figures, const char *name,
-                      const po_text *then, const char *file);
 
 #endif

@@ -144,6 +144,8 @@ static po_status print_panel(po_plot_panel *panel, size_t columns, size_t rows, 
 
 po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, po_text *text) {
   po_status status = PO_OK;
+  if (picture->map)
+    po_plot_map_print(picture, columns, rows, text);
   for (size_t k = 0; k < picture->count && !status; ++k)
     status = print_panel(&picture->panel[k], columns, rows, text);
   return status ? status : text->failed ? PO_NO_MEMORY : PO_OK;

@@ -1,6 +1,14 @@
-/* A picture as commands for gnuplot. Its styles are macros of reports/figures/picture.gp. */
+/* A picture as commands for gnuplot, and its run. The styles are macros of
+ * reports/figures/picture.gp. */
+#include <errno.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include "po_file.h"
 #include "po_plot.h"
 
 #define MACRO(key, macro, ...) macro,
@@ -10,7 +18,8 @@ enum { MOST_ABOVE = 8 };
 /* The height of a picture with one row of panels, and that of each of several, pixels. */
 enum { ONE_ROW = 400, ROW = 340 };
 
-void po_plot_assign(po_text *script, const char *variable, const char *value) {
+/* Appends an assignment of a text to a variable of a script. */
+static void assign(po_text *script, const char *variable, const char *value) {
   po_text_add(script, "%s = '", variable);
   for (const char *c = value; *c; ++c)
     po_text_add(script, *c == '\'' ? "''" : "%c", *c);
@@ -109,16 +118,101 @@ static void add_panel(po_text *script, po_plot_panel *panel) {
   po_text_clear(&plot);
 }
 
+static const char *ending_of(const char *file) {
+  const char *point = strrchr(file, '.');
+  return point && strlen(point) == 4 ? point + 1 : "";
+}
+
+bool po_plot_is_figure(const char *file) {
+  const char *ending = ending_of(file);
+  return strcmp(ending, "svg") == 0 || strcmp(ending, "png") == 0 || strcmp(ending, "pdf") == 0;
+}
+
+/* Starts gnuplot, which reads one file and writes the other. Returned: its process; -1: errno. */
+static pid_t start(int script, int figure) {
+  const pid_t child = fork();
+  if (child)
+    return child;
+  dup2(script, STDIN_FILENO);
+  dup2(figure, STDOUT_FILENO);
+  /* In the locale C gnuplot warns of the characters of its own tables. */
+  setenv("LC_ALL", "C.UTF-8", 1);
+  execlp("gnuplot", "gnuplot", "-", (char *)NULL);
+  _exit(127);
+}
+
+/* Runs gnuplot: its standard input and its standard output are files in memory. */
+static po_status run(const po_text *script, po_text *figure) {
+  const int from = memfd_create("script", MFD_CLOEXEC), to = memfd_create("figure", MFD_CLOEXEC);
+  pid_t child = -1;
+  int ending = 0;
+  char bytes[1 << 14];
+  ssize_t got = 0;
+  for (size_t put = 0; put < script->length && got >= 0; put += (size_t)got)
+    got = pwrite(from, script->data + put, script->length - put, (off_t)put);
+  if (got >= 0 && to >= 0)
+    child = start(from, to);
+  if (child < 0)
+    po_fail(PO_MISSING_TOOL, "gnuplot cannot be started: %s", strerror(errno));
+  while (child > 0 && waitpid(child, &ending, 0) < 0 && errno == EINTR)
+    continue;
+  while (!figure->failed && (got = pread(to, bytes, sizeof bytes, (off_t)figure->length)) > 0)
+    po_text_add_bytes(figure, bytes, (size_t)got);
+  close(from);
+  close(to);
+  if (child < 0)
+    return PO_MISSING_TOOL;
+  if (WIFEXITED(ending) && WEXITSTATUS(ending) == 127)
+    return po_fail(PO_MISSING_TOOL,
+                   "gnuplot was not found: expected it in PATH, to draw the figure");
+  if (figure->failed)
+    return PO_NO_MEMORY;
+  return !WIFEXITED(ending) || WEXITSTATUS(ending) || !figure->length
+             ? po_fail(PO_MISSING_TOOL, "gnuplot failed, see its message above")
+             : PO_OK;
+}
+
+/* Appends a file to the script, because gnuplot would search other folders for it. */
+static po_status add_file(po_text *script, const char *folder, const char *name) {
+  char *path = po_path_join(folder, name), *content = NULL;
+  size_t size = 0;
+  const po_status status = path ? po_file_read(path, &content, &size) : PO_NO_MEMORY;
+  if (!status)
+    po_text_add_bytes(script, content, size);
+  po_text_add(script, "\n");
+  free(content);
+  free(path);
+  return status;
+}
+
 po_status po_plot_draw(po_plot_picture *picture, const char *figures, const char *file) {
-  po_text head = {0}, body = {0};
-  po_text_add(&head, "panel_count = %zu\nfigure_height = %d\n", picture->count,
-              picture->count > 2 ? ROW * (int)((picture->count + 1) / 2) : ONE_ROW);
-  po_plot_assign(&head, "caption", picture->caption);
+  const po_plot_map *map = picture->map;
+  po_text script = {0}, figure = {0};
+  assign(&script, "figure_terminal", ending_of(file));
+  assign(&script, "figure_output", "");
+  assign(&script, "caption", picture->caption);
+  if (map) {
+    assign(&script, "x_name", map->x_name);
+    assign(&script, "y_name", map->y_name);
+    assign(&script, "load_unit", po_plot_load_unit(picture->load_unit));
+    po_plot_map_data(map, &script);
+  } else
+    po_text_add(&script, "panel_count = %zu\nfigure_height = %d\n", picture->count,
+                picture->count > 2 ? ROW * (int)((picture->count + 1) / 2) : ONE_ROW);
+  po_status status = add_file(&script, figures, "style.gp");
+  if (!status)
+    status = add_file(&script, figures, map ? "map.gp" : "picture.gp");
   for (size_t k = 0; k < picture->count; ++k)
-    add_panel(&body, &picture->panel[k]);
-  po_text_add(&body, "unset multiplot\nunset output\n");
-  const po_status status = po_plot_run(&head, figures, "picture.gp", &body, file);
-  po_text_clear(&head);
-  po_text_clear(&body);
+    add_panel(&script, &picture->panel[k]);
+  if (!map)
+    po_text_add(&script, "unset multiplot\nunset output\n");
+  if (!status && script.failed)
+    status = PO_NO_MEMORY;
+  if (!status)
+    status = run(&script, &figure);
+  if (!status)
+    status = po_file_write(file, figure.data, figure.length);
+  po_text_clear(&script);
+  po_text_clear(&figure);
   return status;
 }

@@ -40,7 +40,7 @@ static void add_axis(po_text *script, char axis, const double *value, size_t cou
     po_plot_add_log_tics(script, axis, low, high);
 }
 
-po_status po_plot_map_data(const po_plot_map *map, po_text *script) {
+void po_plot_map_data(const po_plot_map *map, po_text *script) {
   po_text_add(script, "$map << EOD\n");
   for (size_t j = 0; j < map->rows; ++j)
     for (size_t i = 0; i < map->columns; ++i)
@@ -56,7 +56,6 @@ po_status po_plot_map_data(const po_plot_map *map, po_text *script) {
   find_range(map, range);
   if (range[0] < range[1])
     po_text_add(script, "set cbrange [%.9g:%.9g]\n", range[0], range[1]);
-  return script->failed ? PO_NO_MEMORY : PO_OK;
 }
 
 static char shade_of(double value, const double range[2]) {
@@ -66,9 +65,9 @@ static char shade_of(double value, const double range[2]) {
   return SHADES[(int)fmin(SHADE_COUNT - 1, floor(part * SHADE_COUNT))];
 }
 
-void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y_name,
-                       size_t columns, size_t rows, po_text *text) {
+void po_plot_map_print(const po_plot_picture *picture, size_t columns, size_t rows, po_text *text) {
   enum { ROWS_PER_LABEL = 5 };
+  const po_plot_map *map = picture->map;
   double range[2];
   find_range(map, range);
   /* every value has the same number of characters; if there are too many values, some are left out
@@ -76,6 +75,8 @@ void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y
   const size_t wide = map->columns < columns ? columns / map->columns : 1;
   const size_t every = map->columns > columns ? (map->columns - 1) / columns + 1 : 1;
   const size_t every_row = map->rows > rows ? (map->rows - 1) / rows + 1 : 1;
+  po_text_add(text, "%s: pull-off force in %s over %s and %s\n", picture->caption,
+              picture->load_unit, map->x_name, map->y_name);
   po_text_add(text, "%s from %.4g to %.4g, in steps of %.4g\n", SHADES, range[0], range[1],
               (range[1] - range[0]) / SHADE_COUNT);
   size_t shown = 0, width = 0;
@@ -92,5 +93,5 @@ void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y
     po_text_add(text, "\n");
   }
   po_plot_add_floor(text, width, map->x[0], map->x[map->columns - 1]);
-  po_text_add(text, "%*s  %s, upwards %s\n", PO_PLOT_LABEL, "", x_name, y_name);
+  po_text_add(text, "%*s  %s, upwards %s\n", PO_PLOT_LABEL, "", map->x_name, map->y_name);
 }
