@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "po_json.h"
-#include "po_json_rows.h"
 #include "po_result_rows.h"
 #include "po_si.h"
 

@@ -1,14 +1,230 @@
 #include "po_json.h"
 
+#include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_input.h"
 #include "po_json_digest.h"
-#include "po_json_rows.h"
+#include "po_memory.h"
 #include "po_profile_table.h"
+#include "po_quote.h"
 #include "po_result_rows.h"
+#include "po_si.h"
+
+/* -- Structures by their rows (po_rows.h) -- */
+
+/* The list of which a structure is an item. */
+typedef struct {
+  const void *owner;
+  size_t index;
+} place;
+
+static void add_rows(json_t **object, const po_block *block, const void *owner, place of);
+
+static json_t *object_of(const po_block *block, const void *owner, place of) {
+  json_t *object = po_json_empty_object();
+  add_rows(&object, block, owner, of);
+  return object;
+}
+
+static json_t *list_of(const po_row *row, const void *owner) {
+  json_t *array = po_json_empty_array();
+  for (size_t k = 0; k < po_row_items(row, owner); ++k)
+    po_json_append(&array, object_of(row->block, po_row_item(row, owner, k), (place){owner, k}));
+  return array;
+}
+
+static json_t *labels_of(const po_row *row, place of) {
+  po_label label[2];
+  row->label(of.owner, of.index, label);
+  if (row->type == PO_ROW_LABEL)
+    return po_json_text(label[0]);
+  json_t *array = po_json_empty_array();
+  po_json_append(&array, po_json_text(label[0]));
+  po_json_append(&array, po_json_text(label[1]));
+  return array;
+}
+
+static json_t *value_of(const po_row *row, const void *owner, place of) {
+  const char *member = (const char *)owner + row->offset;
+  if (po_row_is_absent(row, owner))
+    return json_null();
+  switch (row->type) {
+  case PO_ROW_COUNT:
+    return po_json_count(row->get ? (uint64_t)row->get(owner) : po_row_bits(row, owner));
+  case PO_ROW_INTEGER:
+    return po_json_integer((int)po_row_number(row, owner));
+  case PO_ROW_FLAG:
+    return po_json_flag(po_row_bits(row, owner) != 0);
+  case PO_ROW_TEXT:
+    return po_json_text(member);
+  case PO_ROW_WORD:
+    return po_json_text(row->word ? row->word(owner) : row->names[po_row_bits(row, owner)]);
+  case PO_ROW_STATUS:
+    return po_json_text(po_status_name(*(const po_status *)(const void *)member));
+  case PO_ROW_LABEL:
+  case PO_ROW_LABELS:
+    return labels_of(row, of);
+  case PO_ROW_PART:
+    return object_of(row->block, member, of);
+  case PO_ROW_LIST:
+    return list_of(row, owner);
+  default:
+    return po_json_number(po_row_number(row, owner));
+  }
+}
+
+static void add_rows(json_t **object, const po_block *block, const void *owner, place of) {
+  for (size_t i = 0; i < block->count; ++i) {
+    const po_row *row = &block->row[i];
+    if (row->type == PO_ROW_INLINE)
+      add_rows(object, row->block, (const char *)owner + row->offset, of);
+    else if (!row->hidden && !(row->omitted && po_row_is_absent(row, owner)))
+      po_json_set(object, row->key, value_of(row, owner, of));
+  }
+}
+
+json_t *po_json_of(const po_block *block, const void *owner) {
+  return object_of(block, owner, (place){NULL, 0});
+}
+
+static json_t *points_of(const po_block *block, const void *list, size_t count) {
+  json_t *array = po_json_empty_array();
+  for (size_t k = 0; k < count; ++k)
+    po_json_append(&array, po_json_of(block, (const char *)list + k * block->size));
+  return array;
+}
+
+static po_status read_into(const json_t *object, const po_block *block, void *owner);
+
+static po_status read_list(const json_t *array, const po_row *row, void *owner) {
+  const size_t count = json_array_size(array);
+  char *list = po_allocate(count, row->block->size);
+  memcpy((char *)owner + row->offset, &list, sizeof list);
+  po_status status = list ? PO_OK : PO_NO_MEMORY;
+  if (list)
+    memset(list, 0, count * row->block->size);
+  for (size_t k = 0; k < count && !status; ++k) {
+    status = read_into(json_array_get(array, k), row->block, list + k * row->block->size);
+    memcpy((char *)owner + row->count, &(size_t){k + 1}, sizeof k);
+  }
+  return status;
+}
+
+static po_status read_integer(const json_t *item, const char *key, int *value) {
+  const json_int_t number = json_integer_value(item);
+  if (number < 0 || number > INT_MAX)
+    return po_fail(PO_BAD_INPUT, "%s is no whole number >= 0", key);
+  *value = (int)number;
+  return PO_OK;
+}
+
+static po_status read_word(const char *text, const po_row *row, void *owner) {
+  if (row->take) {
+    row->take(owner, text);
+    return PO_OK;
+  }
+  for (uint64_t k = 0; text && row->names[k]; ++k)
+    if (strcmp(text, row->names[k]) == 0) {
+      po_row_put_bits(row, owner, k);
+      return PO_OK;
+    }
+  return po_fail(PO_BAD_INPUT, "%s is missing or an unknown word", row->key);
+}
+
+static po_status read_status(const char *text, const po_row *row, void *owner) {
+  void *member = (char *)owner + row->offset;
+  return po_status_find(text, member)
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "%s is missing or an unknown word", row->key);
+}
+
+/* Reads the member of a row. Given: NULL if the object is absent; then only numbers and parts,
+ * which state that they are absent, are written. */
+static po_status read_row(const json_t *object, const po_row *row, void *owner) {
+  const json_t *item = json_object_get(object, row->key);
+  char *member = (char *)owner + row->offset;
+  const char *text = json_string_value(item);
+  if (row->present)
+    *(bool *)((char *)owner + row->present) = item && !json_is_null(item);
+  if (row->type == PO_ROW_NUMBER)
+    po_row_put(row, owner, po_json_read_number(object, row->key));
+  if (row->type == PO_ROW_PART)
+    return read_into(json_is_object(item) ? item : NULL, row->block, member);
+  if (!object)
+    return PO_OK;
+  switch (row->type) {
+  case PO_ROW_COUNT:
+    if (!row->get)
+      po_row_put_bits(row, owner, po_json_count_of(object, row->key));
+    return PO_OK;
+  case PO_ROW_INTEGER:
+    return row->omitted && !item ? PO_OK : read_integer(item, row->key, (int *)(void *)member);
+  case PO_ROW_FLAG:
+    po_row_put_bits(row, owner, json_is_true(item));
+    return PO_OK;
+  case PO_ROW_TEXT:
+    po_quote_text(text ? text : "", member, row->size);
+    return PO_OK;
+  case PO_ROW_WORD:
+    return read_word(text, row, owner);
+  case PO_ROW_STATUS:
+    return read_status(text, row, owner);
+  case PO_ROW_LIST:
+    return read_list(item, row, owner);
+  default:
+    return PO_OK;
+  }
+}
+
+/* Fills a structure, which must be empty, from an object; NULL is an absent object. A number that
+ * is absent or null is NAN. Status: PO_BAD_INPUT, PO_NO_MEMORY; what was read before is in the
+ * structure. */
+static po_status read_into(const json_t *object, const po_block *block, void *owner) {
+  po_status status = PO_OK;
+  for (size_t i = 0; i < block->count && !status; ++i) {
+    const po_row *row = &block->row[i];
+    if (row->type == PO_ROW_INLINE)
+      status = read_into(object, row->block, (char *)owner + row->offset);
+    else if (!row->hidden)
+      status = read_row(object, row, owner);
+  }
+  if (block->settle)
+    block->settle(owner);
+  return status;
+}
+
+/* A view of a structure in SI units: the members with the keys of a list, which ends with NULL. The
+ * key of a number gets the name of its unit at its end. */
+static json_t *in_si(const po_block *block, const void *owner, const po_units *units,
+                     const char *const *keys) {
+  json_t *object = po_json_empty_object();
+  for (; *keys; ++keys) {
+    const po_row *row = po_block_find(block, NULL, *keys).row;
+    char key[64];
+    if (row->type != PO_ROW_NUMBER) {
+      po_json_set(&object, row->key, value_of(row, owner, (place){NULL, 0}));
+      continue;
+    }
+    const po_si_unit unit = po_si_unit_of(units, row->dimension);
+    snprintf(key, sizeof key, "%s%s%s", row->key, *unit.name ? "_" : "", unit.name);
+    po_json_set(&object, key, po_json_number(po_si_value(&unit, po_row_number(row, owner))));
+  }
+  return object;
+}
+
+json_t *po_json_si_list(const po_block *block, const void *list, size_t count,
+                        const po_units *units, const char *const *keys) {
+  json_t *array = po_json_empty_array();
+  for (size_t k = 0; k < count; ++k)
+    po_json_append(&array, in_si(block, (const char *)list + k * block->size, units, keys));
+  return array;
+}
+
+/* -- Requests and results -- */
 
 json_t *po_json_input(const po_request *request) {
   json_t *object = po_json_empty_object();
@@ -61,11 +277,11 @@ json_t *po_json_result(const po_request *request, const po_result *result) {
 
 po_status po_json_read_result(const json_t *object, po_result *result) {
   *result = (po_result){0};
-  po_status status = po_json_into(object, &PO_RESULT_ROWS, result);
+  po_status status = read_into(object, &PO_RESULT_ROWS, result);
   if (!status)
-    status = po_json_into(object, &PO_WANTED_ROWS, result);
+    status = read_into(object, &PO_WANTED_ROWS, result);
   if (!status)
-    status = po_json_into(json_object_get(object, "contact"), &PO_CONTACT_ROWS, result);
+    status = read_into(json_object_get(object, "contact"), &PO_CONTACT_ROWS, result);
   if (status)
     po_result_clear(result);
   return status;
@@ -75,12 +291,11 @@ json_t *po_json_document(const po_request *request, const po_result *result) {
   json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")});
   po_json_set_all(&document, po_json_result(request, result));
   if (request->want & PO_WANT_CURVE)
-    po_json_set(&document, "curve",
-                po_json_list_of(&PO_CURVE_ROWS, result->curve, result->curve_count));
+    po_json_set(&document, "curve", points_of(&PO_CURVE_ROWS, result->curve, result->curve_count));
   if (request->want & PO_WANT_PROFILE) {
     po_json_set(&document, "profile_approach", po_json_number(result->profile_approach));
     po_json_set(&document, "profile",
-                po_json_list_of(&PO_PROFILE_ROWS, result->profile, result->profile_count));
+                points_of(&PO_PROFILE_ROWS, result->profile, result->profile_count));
     po_json_set(&document, "contact", po_json_of(&PO_CONTACT_ROWS, result));
   }
   po_json_seal(&document);
@@ -102,5 +317,5 @@ json_t *po_json_units_pull_off(const po_units *u, const po_result *result) {
                                      "contact_radius_error_estimate",
                                      "contact_radius_other",
                                      NULL};
-  return result->has_pull_off ? po_json_si(&PO_PULL_OFF_ROWS, result, u, KEYS) : json_null();
+  return result->has_pull_off ? in_si(&PO_PULL_OFF_ROWS, result, u, KEYS) : json_null();
 }

@@ -1,5 +1,5 @@
-/* JSON of requests and results, shared by `solve --json` and the records of a run. doc/json.md
- * defines every key. */
+/* JSON of requests and results, shared by `solve --json` and the records of a run: structures by
+ * their rows, in both directions. doc/json.md defines every key. */
 #ifndef PO_JSON_H
 #define PO_JSON_H
 
@@ -9,6 +9,7 @@
 #include "po_physical.h"
 #include "po_request.h"
 #include "po_result.h"
+#include "po_rows.h"
 #include "po_status.h"
 
 /* The request: {"tabor": 1, ..., "outer_radius": number or "inf", "scheme": "triangle", ...,
@@ -26,6 +27,16 @@ json_t *po_json_document(const po_request *request, const po_result *result);
 /* The inverse of po_json_result, except for `input`; arrays of points stay empty. Status:
  * PO_BAD_INPUT if a member is missing or has the wrong type; PO_NO_MEMORY. */
 po_status po_json_read_result(const json_t *object, po_result *result);
+
+/* Returned: a structure as an object; NULL if memory runs out. */
+json_t *po_json_of(const po_block *block, const void *owner);
+
+/* Returned: a list of structures in SI units, of each the members with the keys of a list, which
+ * ends with NULL. The key of a number gets the name of its unit at its end. NULL if memory runs
+ * out.
+ */
+json_t *po_json_si_list(const po_block *block, const void *list, size_t count,
+                        const po_units *units, const char *const *keys);
 
 /* The units of dimensionless numbers: {"length_m", "force_n", "traction_pa"}. */
 json_t *po_json_units(const po_units *units);

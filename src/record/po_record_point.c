@@ -9,7 +9,6 @@
 #include "po_file.h"
 #include "po_input.h"
 #include "po_json.h"
-#include "po_json_rows.h"
 #include "po_result_rows.h"
 #include "po_tables.h"
 
