@@ -4,9 +4,11 @@
 
 #include "pulloff.h"
 
+#include <fenv.h>
+#include <locale.h>
+
 #include "po_given.h"
 #include "po_json_value.h"
-#include "po_process.h"
 #include "po_result.h"
 
 struct pulloff_scene {
@@ -24,16 +26,29 @@ struct pulloff_result {
   json_t *document;
 };
 
-/* Appends the key that is close to an unknown one to the message. Returned: PO_BAD_INPUT. */
-po_status po_library_suggest(const char *key);
+/* The state of the thread before a call of the library. */
+typedef struct {
+  locale_t locale;
+  fenv_t floating_point;
+} po_library_call;
 
-/* Ends a function: copies the message of a failure, or of another thread-local cause, to `message`.
- * Returned: the status for the caller of the library. */
+/* Begins a function: turns off the error handler of GSL and limits OpenBLAS to one thread, unless
+ * another thread is in such a function already; sets the locale and the floating-point environment
+ * of this thread to those in which the program runs; forgets messages of earlier calls. Status:
+ * PO_NO_MEMORY; then nothing has changed. */
+po_status po_library_enter(po_library_call *call);
+
+/* Ends it, whatever the status of its beginning: restores the state of the thread, and that of the
+ * process if no other thread needs it. Otherwise as po_library_end. */
+pulloff_status po_library_leave(const po_library_call *call, po_status status,
+                                pulloff_message *message);
+
+/* Ends a function that was not begun so: copies the message of a failure, or of another
+ * thread-local cause, to `message`. Returned: the status for the caller of the library. */
 pulloff_status po_library_end(po_status status, pulloff_message *message);
 
-/* The same, after po_process_leave. */
-pulloff_status po_library_leave(const po_process_state *state, po_status status,
-                                pulloff_message *message);
+/* Appends the key that is close to an unknown one to the message. Returned: PO_BAD_INPUT. */
+po_status po_library_suggest(const char *key);
 
 /* The texts of a scene, which stay those of the scene. It is in SI units if one of these is given.
  */

@@ -211,9 +211,9 @@ static po_status print(const json_t *document, char **text) {
 pulloff_status pulloff_result_json(const pulloff_result *result, char **text,
                                    pulloff_message *message) {
   *text = NULL;
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : print(result->document, text), message);
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : print(result->document, text), message);
 }
 
 void pulloff_free(char *text) {

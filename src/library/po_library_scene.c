@@ -22,21 +22,6 @@ const char *pulloff_status_text(pulloff_status status) {
   return po_status_text((po_status)status);
 }
 
-pulloff_status po_library_end(po_status status, pulloff_message *message) {
-  if (message)
-    snprintf(message->text, sizeof message->text, "%s",
-             !status         ? ""
-             : *po_message() ? po_message()
-                             : po_status_text(status));
-  return (pulloff_status)status;
-}
-
-pulloff_status po_library_leave(const po_process_state *state, po_status status,
-                                pulloff_message *message) {
-  po_process_leave(state);
-  return po_library_end(status, message);
-}
-
 pulloff_status pulloff_scene_create(pulloff_scene **scene, pulloff_message *message) {
   po_message_clear();
   *scene = po_allocate(1, sizeof **scene);
@@ -134,9 +119,9 @@ static po_status set(pulloff_scene *scene, int key, const char *value) {
 
 pulloff_status pulloff_scene_set(pulloff_scene *scene, const char *key, const char *value,
                                  pulloff_message *message) {
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : set(scene, find_key(key), value), message);
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : set(scene, find_key(key), value), message);
 }
 
 /* Prints a number so that it is read back to the same bits. */
@@ -155,9 +140,9 @@ static po_status set_number(pulloff_scene *scene, int key, double value) {
 
 pulloff_status pulloff_scene_set_number(pulloff_scene *scene, const char *key, double value,
                                         pulloff_message *message) {
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : set_number(scene, find_key(key), value),
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : set_number(scene, find_key(key), value),
                           message);
 }
 
@@ -218,9 +203,9 @@ static po_status get(const pulloff_scene *scene, int key, char *text, size_t siz
 
 pulloff_status pulloff_scene_get(const pulloff_scene *scene, const char *key, char *text,
                                  size_t size, pulloff_message *message) {
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : get(scene, find_key(key), text, size), message);
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : get(scene, find_key(key), text, size), message);
 }
 
 pulloff_units po_library_units(const po_request *request) {
@@ -267,9 +252,9 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
 
 pulloff_status pulloff_scene_set_physical(pulloff_scene *scene, const pulloff_physical *physical,
                                           pulloff_units *units, pulloff_message *message) {
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : set_physical(scene, physical, units), message);
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : set_physical(scene, physical, units), message);
 }
 
 static po_status get_units(const pulloff_scene *scene, pulloff_units *units) {
@@ -286,9 +271,9 @@ static po_status get_units(const pulloff_scene *scene, pulloff_units *units) {
 
 pulloff_status pulloff_scene_units(const pulloff_scene *scene, pulloff_units *units,
                                    pulloff_message *message) {
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : get_units(scene, units), message);
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : get_units(scene, units), message);
 }
 
 void pulloff_scene_set_stop(pulloff_scene *scene, const volatile sig_atomic_t *stop) {

@@ -39,9 +39,9 @@ static po_status solve(const pulloff_scene *scene, pulloff_result **result) {
 pulloff_status pulloff_solve(const pulloff_scene *scene, pulloff_result **result,
                              pulloff_message *message) {
   *result = NULL;
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : solve(scene, result), message);
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : solve(scene, result), message);
 }
 
 static po_status make_requests(const pulloff_scene *scene, const char *name, const double *values,
@@ -93,9 +93,9 @@ pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const
                               size_t count, pulloff_result **results, pulloff_message *message) {
   for (size_t k = 0; k < count; ++k)
     results[k] = NULL;
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : follow(scene, key, values, count, results),
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : follow(scene, key, values, count, results),
                           message);
 }
 
@@ -174,8 +174,8 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
 pulloff_status pulloff_theory(const char *form, const pulloff_scene *scene, double alpha, double at,
                               pulloff_result **result, pulloff_message *message) {
   *result = NULL;
-  po_process_state state;
-  const po_status status = po_process_enter(&state);
-  return po_library_leave(&state, status ? status : evaluate(form, scene, alpha, at, result),
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(&call, status ? status : evaluate(form, scene, alpha, at, result),
                           message);
 }

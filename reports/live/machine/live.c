@@ -45,8 +45,8 @@ po_status po_file_read(const char *path, char **data, size_t *size) {
 /* As pulloff_solve, with progress and profiles for the page. */
 static pulloff_status solve(const pulloff_scene *scene, pulloff_result **result,
                             pulloff_message *message) {
-  po_process_state state;
-  po_status status = po_process_enter(&state);
+  po_library_call call;
+  po_status status = po_library_enter(&call);
   if (status)
     return po_library_end(status, message);
   po_request request;
@@ -65,8 +65,7 @@ static pulloff_status solve(const pulloff_scene *scene, pulloff_result **result,
   } else {
     po_result_clear(&solved);
   }
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  return po_library_leave(&call, status, message);
 }
 
 static double number_of(const json_t *object, const char *name, double absent) {
@@ -152,8 +151,8 @@ static po_status follow_scenes(const pulloff_scene *scene, int key, const po_ran
 
 static pulloff_status follow(const json_t *series, const pulloff_scene *scene, json_t **answer,
                              pulloff_message *message) {
-  po_process_state state;
-  po_status status = po_process_enter(&state);
+  po_library_call call;
+  po_status status = po_library_enter(&call);
   if (status)
     return po_library_end(status, message);
   const char *name = json_string_value(json_object_get(series, "key"));
@@ -178,8 +177,7 @@ static pulloff_status follow(const json_t *series, const pulloff_scene *scene, j
     po_result_clear(&results[k]);
   free(requests);
   free(results);
-  po_process_leave(&state);
-  return po_library_end(status, message);
+  return po_library_leave(&call, status, message);
 }
 
 /* Answers a request about one scene. */

@@ -1,9 +1,9 @@
-#include "po_process.h"
-
+/* How the functions of the library begin and end. */
 #include <gsl/gsl_errno.h>
 #include <pthread.h>
-#include <stddef.h>
+#include <stdio.h>
 
+#include "po_library.h"
 #include "po_linear.h"
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
@@ -35,10 +35,10 @@ static void end_use(void) {
   pthread_mutex_unlock(&lock);
 }
 
-po_status po_process_enter(po_process_state *state) {
+po_status po_library_enter(po_library_call *call) {
   po_message_clear();
   po_no_memory_forget();
-  state->locale = (locale_t)0;
+  call->locale = (locale_t)0;
   const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0); /* allocates nothing */
   if (!plain)
     return po_fail(PO_NO_MEMORY, "out of memory for the locale C");
@@ -48,16 +48,27 @@ po_status po_process_enter(po_process_state *state) {
     freelocale(plain);
     return status;
   }
-  state->locale = uselocale(plain);
-  fegetenv(&state->floating_point);
+  call->locale = uselocale(plain);
+  fegetenv(&call->floating_point);
   fesetenv(FE_DFL_ENV);
   return PO_OK;
 }
 
-void po_process_leave(const po_process_state *state) {
-  if (!state->locale)
-    return;
-  fesetenv(&state->floating_point);
-  freelocale(uselocale(state->locale));
-  end_use();
+pulloff_status po_library_end(po_status status, pulloff_message *message) {
+  if (message)
+    snprintf(message->text, sizeof message->text, "%s",
+             !status         ? ""
+             : *po_message() ? po_message()
+                             : po_status_text(status));
+  return (pulloff_status)status;
+}
+
+pulloff_status po_library_leave(const po_library_call *call, po_status status,
+                                pulloff_message *message) {
+  if (call->locale) {
+    fesetenv(&call->floating_point);
+    freelocale(uselocale(call->locale));
+    end_use();
+  }
+  return po_library_end(status, message);
 }
