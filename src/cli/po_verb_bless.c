@@ -71,7 +71,7 @@ static po_status open_several(po_session *session, const po_options *options) {
 }
 
 int po_verb_bless(int argc, char **argv) {
-  const po_options options = {"bless", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"bless", HELP, OPTIONS, argc, argv, PO_SEVERAL};
   bless_line line = {.session = po_session_default()};
   po_session *session = &line.session;
   po_status status = PO_OK;

@@ -134,16 +134,15 @@ static int compare(po_solve_line *line, const po_theory *only) {
 }
 
 int po_verb_compare(int argc, char **argv) {
-  const po_options options = {"compare", HELP, OPTIONS,      argc,
-                              argv,      NULL, PO_FOR_SOLVE, po_solve_line_take_key};
+  const po_options options = {
+      "compare", HELP, OPTIONS, argc, argv, 0, NULL, PO_FOR_SOLVE, po_solve_line_take_key};
   po_solve_line line = po_solve_line_begin();
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
   po_theory theory = PO_THEORY_RIGID;
   char shown[PO_QUOTE_LENGTH];
-  status = po_options_no_operands(&options);
-  if (!status && line.theory && !po_theory_find(line.theory, &theory))
+  if (line.theory && !po_theory_find(line.theory, &theory))
     status = po_suggest(po_fail(PO_BAD_INPUT, "no theory is named %s: expected one of %s",
                                 po_quote(line.theory, shown), PO_THEORY_NAMES),
                         line.theory, PO_THEORY_NAMES);

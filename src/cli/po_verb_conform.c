@@ -53,7 +53,7 @@ static void remove_empty(char *path, size_t kept) {
 }
 
 int po_verb_conform(int argc, char **argv) {
-  const po_options options = {"conform", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"conform", HELP, OPTIONS, argc, argv, PO_SEVERAL};
   conform_line line = {.output = "build/run"};
   po_solver *solver = NULL;
   po_status status = PO_OK;

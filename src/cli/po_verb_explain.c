@@ -80,7 +80,7 @@ static int code_of(const po_case_run *run, const po_explain_choice *choice) {
 }
 
 int po_verb_explain(int argc, char **argv) {
-  const po_options options = {"explain", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"explain", HELP, OPTIONS, argc, argv, PO_SEVERAL};
   explain_line line = {.session = po_session_default()};
   po_session *session = &line.session;
   bool *points = NULL;

@@ -259,16 +259,14 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
 }
 
 int po_verb_follow(int argc, char **argv) {
-  const po_options options = {"follow", HELP, OPTIONS,       argc,
-                              argv,     NULL, PO_FOR_FOLLOW, po_scene_options_take};
+  const po_options options = {
+      "follow", HELP, OPTIONS, argc, argv, 0, NULL, PO_FOR_FOLLOW, po_scene_options_take};
   follow_line line = {
       .scene = po_scene_options_begin(), .varied = -1, .range = {NAN, NAN, DEFAULT_POINTS, true}};
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
-  status = po_options_no_operands(&options);
-  if (!status)
-    status = check_line(&line);
+  status = check_line(&line);
   if (status)
     return po_options_end(status);
   po_request *requests = po_allocate(line.range.count, sizeof *requests);

@@ -141,16 +141,14 @@ static po_status print_json(const po_catalog *catalog) {
 }
 
 int po_verb_list(int argc, char **argv) {
-  const po_options options = {"list", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"list", HELP, OPTIONS, argc, argv};
   po_catalog catalog = {0};
   list_line line = {0};
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
-  status = po_options_no_operands(&options);
-  if (!status)
-    status = po_catalog_open(po_environment_data(), NULL, 0, (po_suites){.names = line.suites},
-                             &catalog);
+  status =
+      po_catalog_open(po_environment_data(), NULL, 0, (po_suites){.names = line.suites}, &catalog);
   if (!status && line.references)
     status = print_references(&catalog, line.json);
   else if (!status && line.json)

@@ -35,7 +35,7 @@ static po_status put_together(po_session *session, const po_merge *merge) {
 }
 
 int po_verb_merge(int argc, char **argv) {
-  const po_options options = {"merge", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"merge", HELP, OPTIONS, argc, argv, PO_SEVERAL};
   po_session session = po_session_default();
   po_merge merge = {0};
   po_status status = PO_OK;

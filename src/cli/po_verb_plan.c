@@ -140,7 +140,7 @@ static po_status append_plan(const po_case *kase, json_t **plans) {
 }
 
 int po_verb_plan(int argc, char **argv) {
-  const po_options options = {"plan", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"plan", HELP, OPTIONS, argc, argv, PO_SEVERAL};
   po_catalog catalog = {0};
   po_status status = PO_OK;
   bool json = false;

@@ -321,8 +321,8 @@ static bool seeks_all(const po_given *given) {
 }
 
 int po_verb_plot(int argc, char **argv) {
-  const po_options options = {"plot", HELP, OPTIONS,      argc,
-                              argv,   NULL, PO_FOR_SOLVE, po_solve_line_take_key};
+  const po_options options = {
+      "plot", HELP, OPTIONS, argc, argv, PO_SEVERAL, NULL, PO_FOR_SOLVE, po_solve_line_take_key};
   po_solve_line line = po_solve_line_begin();
   char *name = NULL;
   po_status status = PO_OK;

@@ -94,15 +94,13 @@ static int run_script(const char *script, const report_line *line) {
 }
 
 int po_verb_report(int argc, char **argv) {
-  const po_options options = {"report", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"report", HELP, OPTIONS, argc, argv};
   report_line line = {.run = "build/run", .output = "build/report"};
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
-  status = po_options_no_operands(&options);
   char *script = po_path_join(po_environment_data(), "reports/make_report.py");
-  if (!status)
-    status = script ? check_means(script, line.run) : PO_NO_MEMORY;
+  status = script ? check_means(script, line.run) : PO_NO_MEMORY;
   if (!status)
     status = po_folder_make(line.output);
   const int code = status ? po_options_end(status) : run_script(script, &line);

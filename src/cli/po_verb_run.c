@@ -27,7 +27,7 @@ static const po_option OPTIONS[] = {
     PO_SESSION_OPTIONS, PO_TAKEN("shard", po_session, shard, po_session_take_shard), {0}};
 
 int po_verb_run(int argc, char **argv) {
-  const po_options options = {"run", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"run", HELP, OPTIONS, argc, argv, PO_SEVERAL};
   po_session session = po_session_default();
   po_status status = PO_OK;
   if (!po_options_read(&options, &session, &status))

@@ -184,7 +184,7 @@ static po_status seal(const char *path, const char *const values[HEADERS]) {
 }
 
 int po_verb_seal(int argc, char **argv) {
-  const po_options options = {"seal", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"seal", HELP, OPTIONS, argc, argv, PO_SEVERAL};
   const char *values[HEADERS] = {NULL};
   po_status status = PO_OK;
   if (!po_options_read(&options, values, &status))

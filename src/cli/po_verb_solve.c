@@ -278,13 +278,11 @@ static int solve(po_solve_line *line) {
 
 int po_verb_solve(int argc, char **argv) {
   const po_options options = {
-      "solve", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_SOLVE, po_solve_line_take_key, take};
+      "solve", HELP, OPTIONS, argc, argv, 0, MORE_HELP, PO_FOR_SOLVE, po_solve_line_take_key, take};
   uncertain_line u = {.line = po_solve_line_begin(), .options = &options};
   po_status status = PO_OK;
   const bool goes_on = po_options_read(&options, &u, &status);
   if (goes_on)
-    status = po_options_no_operands(&options);
-  if (goes_on && !status)
     status = complete(&u);
   const int code = status || !goes_on ? po_options_end(status) : solve(&u.line);
   clear(&u);

@@ -214,8 +214,8 @@ static po_status print(const po_theory_line *l, const po_form *form) {
 }
 
 int po_verb_theory(int argc, char **argv) {
-  const po_options options = {"theory", HELP, OPTIONS,       argc,
-                              argv,     NULL, PO_FOR_THEORY, po_scene_options_take};
+  const po_options options = {
+      "theory", HELP, OPTIONS, argc, argv, 1, NULL, PO_FOR_THEORY, po_scene_options_take};
   po_theory_line line = {.options = po_scene_options_begin(),
                          .request = po_input_default(),
                          .alpha = NAN,
@@ -233,9 +233,7 @@ int po_verb_theory(int argc, char **argv) {
         PO_BAD_INPUT, "theory needs the name of a closed form: expected %s", PO_FORM_NAMES));
   if (!form)
     return po_options_end(po_form_refuse(name));
-  status = po_options_no_operands(&options);
-  if (!status)
-    status = complete(&line, form);
+  status = complete(&line, form);
   if (!status)
     status = print(&line, form);
   return po_options_end(status);

@@ -236,7 +236,7 @@ static size_t session_outside(const po_session *session) {
 }
 
 int po_verb_verify(int argc, char **argv) {
-  const po_options options = {"verify", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"verify", HELP, OPTIONS, argc, argv, PO_SEVERAL};
   verify_line line = {.session = po_session_default()};
   po_session *session = &line.session;
   po_status status = PO_OK;

@@ -185,6 +185,16 @@ static po_status print_help(const po_options *options) {
   return po_text_print(&help);
 }
 
+/* Refuses the first operand that a verb does not take. */
+static po_status check_operands(const po_options *options) {
+  const int first = optind + options->operands;
+  char shown[PO_QUOTE_LENGTH];
+  return first >= options->argc
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "unexpected argument %s of %s (see pulloff %s --help)",
+                       po_quote(options->argv[first], shown), options->verb, options->verb);
+}
+
 bool po_options_read(const po_options *options, void *line, po_status *status) {
   struct option table[MOST_OPTIONS];
   int option = 0;
@@ -199,6 +209,8 @@ bool po_options_read(const po_options *options, void *line, po_status *status) {
               : options->take ? options->take(line, option)
                               : po_options_take(options, line, option);
   }
+  if (!*status)
+    *status = check_operands(options);
   return *status == PO_OK;
 }
 
@@ -212,14 +224,6 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
 po_status po_options_take_text(const char *option, const char *expected, const char **text) {
   *text = optarg;
   return *optarg || !expected ? PO_OK : po_options_refuse(option, optarg, expected);
-}
-
-po_status po_options_no_operands(const po_options *options) {
-  if (optind >= options->argc)
-    return PO_OK;
-  char shown[PO_QUOTE_LENGTH];
-  return po_fail(PO_BAD_INPUT, "unexpected argument %s of %s (see pulloff %s --help)",
-                 po_quote(options->argv[optind], shown), options->verb, options->verb);
 }
 
 static int exit_code(po_status status) {

@@ -58,6 +58,8 @@ typedef struct {
  * verb, and of --help. getopt itself returns ':', '?' and 'h'. */
 enum { PO_OPTION_PHYSICAL = 1, PO_OPTION_KEYS = 200, PO_OPTION_ROWS = 400, PO_OPTION_HELP = 1000 };
 
+enum { PO_SEVERAL = 1 << 20 };
+
 /* The command line of one verb, and the options it may have beside --help. */
 typedef struct {
   const char *verb;
@@ -65,6 +67,7 @@ typedef struct {
   const po_option *options; /* ends with a row without a name */
   int argc;
   char **argv;
+  int operands;          /* at most so many; PO_SEVERAL: as many as there are */
   const char *more_help; /* printed after `help`; NULL: none */
   unsigned keys; /* PO_FOR_...: the options of the keys of this verb are added, and its helps have
                     lines such as @scene, see add_help; 0: none */
@@ -77,7 +80,7 @@ po_status po_options_take(const po_options *options, void *line, int option);
 
 /* Stores every option. Returned: whether the verb continues; its operands begin at argv[optind]. If
  * it does not, *status is PO_OK if --help was given and the help printed, and PO_BAD_INPUT if an
- * option is unknown, lacks its value, or was refused. */
+ * option is unknown, lacks its value, or was refused, or if there are too many operands. */
 bool po_options_read(const po_options *options, void *line, po_status *status);
 
 /* Refuses the value of an option: PO_BAD_INPUT. */
@@ -85,9 +88,6 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
 
 /* Takes a path or names from optarg; refuses an empty text, if something is expected. */
 po_status po_options_take_text(const char *option, const char *expected, const char **text);
-
-/* Refuses operands, for verbs that take none. */
-po_status po_options_no_operands(const po_options *options);
 
 /* Prints the message of a failed status as `pulloff: ...` on standard error. Returned: the exit
  * code of the status. */
