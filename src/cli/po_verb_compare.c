@@ -126,7 +126,7 @@ static int compare(po_solve_line *line, const po_theory *only) {
     status = print(line, &result);
   }
   if (!status && !solved && line->plot)
-    status = po_plot_of_theories(&line->request, &result, line->plot);
+    status = po_plot_show(po_plot_of_theories(&line->request, &result), line->plot);
   if (!status && solved)
     status = po_fail(solved, "the solve failed: %s", result.reason);
   po_result_clear(&result);

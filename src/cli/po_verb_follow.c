@@ -250,7 +250,7 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
   if (!status)
     status = po_print_series(&series, line->folds, line->json, line->curve);
   if (!status && line->plot)
-    status = po_plot_of_series(&series, line->folds, line->plot);
+    status = po_plot_show(po_plot_of_series(&series, line->folds), line->plot);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
       status = po_fail(results[k].status, "the solve at %s %g failed: %s", name, values[k],

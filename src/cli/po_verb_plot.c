@@ -156,7 +156,7 @@ static po_status plot_map(const po_case_run *run, const po_case *kase, const po_
     po_plot_picture picture =
         po_plot_begin(po_copy_text(kase->file->title), &kase->points[0].request);
     picture.map = &map;
-    status = po_plot_show(&picture, file);
+    status = po_plot_show(picture, file);
   }
   free(force);
   free(x);
@@ -246,7 +246,7 @@ static po_status draw_run(const po_case *kase, po_key key, const run_point *poin
     most = fmax(most, points[end - 1].at.x);
   }
   panel->x.log = po_plot_is_log(least, most);
-  return po_plot_show(&picture, file);
+  return po_plot_show(picture, file);
 }
 
 static po_status plot_run(const po_case_run *run, const po_case *kase, const char *file) {
@@ -309,7 +309,7 @@ static po_status plot(po_solve_line *line) {
   po_result result = {0};
   po_status status = po_solve_line_observe(line, &result);
   if (!status)
-    status = po_plot_of_solve(&line->request, &result, line->plot);
+    status = po_plot_show(po_plot_of_solve(&line->request, &result), line->plot);
   po_result_clear(&result);
   return status;
 }

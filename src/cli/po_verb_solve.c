@@ -219,14 +219,14 @@ static po_status print_result(const po_solve_line *line, const po_result *result
  * figure needs changes the steps of a trace and ends its search beyond the preload. */
 static po_status draw(const po_solve_line *line, const po_result *result) {
   if (line->request.want & PO_WANT_CURVE)
-    return po_plot_of_solve(&line->request, result, line->plot);
+    return po_plot_show(po_plot_of_solve(&line->request, result), line->plot);
   po_solve_line again = *line;
   again.request.want = (line->request.want & PO_PLOT_WANTS) | PO_WANT_CURVE;
   again.request.search = PO_SEARCH_NONE;
   po_result drawn = {0};
   po_status status = po_solve_line_observe(&again, &drawn);
   if (!status)
-    status = po_plot_of_solve(&again.request, &drawn, line->plot);
+    status = po_plot_show(po_plot_of_solve(&again.request, &drawn), line->plot);
   po_result_clear(&drawn);
   return status;
 }

@@ -46,34 +46,15 @@ static po_status print(po_plot_picture *picture) {
   return status;
 }
 
-po_status po_plot_show(po_plot_picture *picture, const char *file) {
+po_status po_plot_show(po_plot_picture picture, const char *file) {
   char *folder = po_path_join(po_environment_data(), "reports/figures");
-  const po_status status = picture->failed || !folder ? PO_NO_MEMORY
-                           : file                     ? po_plot_draw(picture, folder, file)
-                                                      : print(picture);
+  const po_status status = picture.status ? picture.status
+                           : !folder      ? PO_NO_MEMORY
+                           : file         ? po_plot_draw(&picture, folder, file)
+                                          : print(&picture);
   free(folder);
-  po_plot_clear(picture);
-  return status;
-}
-
-static po_plot_picture begin(const po_request *request) {
-  return po_plot_begin(po_plot_caption(request), request);
-}
-
-po_status po_plot_of_solve(const po_request *request, const po_result *result, const char *file) {
-  po_plot_picture picture = begin(request);
-  const po_status status = po_plot_solve(request, result, &picture);
-  if (!status)
-    return po_plot_show(&picture, file);
   po_plot_clear(&picture);
   return status;
-}
-
-po_status po_plot_of_theories(const po_request *request, const po_result *result,
-                              const char *file) {
-  po_plot_picture picture = begin(request);
-  po_plot_theories(result, &picture);
-  return po_plot_show(&picture, file);
 }
 
 /* The axis of the parameter that varies; lengths in SI units with a prefix. */
@@ -108,7 +89,7 @@ static void add_curve(po_plot_picture *picture, po_plot_series *to, const po_pri
   }
 }
 
-po_status po_plot_of_series(const po_printed_series *series, bool folds, const char *file) {
+po_plot_picture po_plot_of_series(const po_printed_series *series, bool folds) {
   po_text caption = {0};
   char *first = po_plot_caption(&series->requests[0]);
   po_text_add(&caption, "%s varies; the first scene: %s", series->name, first ? first : "");
@@ -125,5 +106,5 @@ po_status po_plot_of_series(const po_printed_series *series, bool folds, const c
               series, &k);
   if (!folds)
     add_curve(&picture, po_plot_add_series(&picture, panel, PO_PLOT_CURVE, ""), series, NULL);
-  return po_plot_show(&picture, file);
+  return picture;
 }

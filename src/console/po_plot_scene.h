@@ -10,13 +10,10 @@
 po_status po_plot_take_file(const char *name, void *file);
 
 /* Draws a picture in a file, or prints it as characters if it is NULL, as large as the terminal,
- * and clears it. Status: as po_plot_draw. */
-po_status po_plot_show(po_plot_picture *picture, const char *file);
+ * and clears it. Status: that of the picture; as po_plot_draw. */
+po_status po_plot_show(po_plot_picture picture, const char *file);
 
-/* Each draws or prints the picture of a solve, of the theories beside it, or of the pull-off or the
- * folds along a series. */
-po_status po_plot_of_solve(const po_request *request, const po_result *result, const char *file);
-po_status po_plot_of_theories(const po_request *request, const po_result *result, const char *file);
-po_status po_plot_of_series(const po_printed_series *series, bool folds, const char *file);
+/* Returned: the picture of the pull-off or of the folds along a series. */
+po_plot_picture po_plot_of_series(const po_printed_series *series, bool folds);
 
 #endif

@@ -72,7 +72,7 @@ typedef struct {
   po_plot_panel panel[PO_PLOT_MOST_PANELS];
   size_t count;
   const po_plot_map *map; /* of pull-off forces, in place of panels; NULL: none */
-  bool failed;            /* memory ran out */
+  po_status status;       /* PO_NO_MEMORY, or why there is nothing to plot */
 } po_plot_picture;
 
 /* Returned: the caption of a scene, to be freed: its command, or its input in SI units. NULL:
@@ -111,14 +111,13 @@ double po_plot_shown(const po_plot_axis *axis, double value);
  * 1 about its value. */
 void po_plot_set_ranges(po_plot_panel *panel);
 
-/* Builds the picture of a solve, of one result: load over approach, through a spring also over the
- * position of its base, with the paths of loading and unloading if there are loops; the profile;
- * the staircase. Status: PO_NO_MEMORY; PO_BAD_INPUT if the result has nothing to plot. */
-po_status po_plot_solve(const po_request *request, const po_result *result,
-                        po_plot_picture *picture);
+/* Returned: the picture of a solve: load over approach, through a spring also over the position of
+ * its base, with the paths of loading and unloading if there are loops; the profile; the staircase.
+ * PO_BAD_INPUT if the result has nothing to plot. */
+po_plot_picture po_plot_of_solve(const po_request *request, const po_result *result);
 
-/* Builds that of the theories beside a solve. */
-void po_plot_theories(const po_result *result, po_plot_picture *picture);
+/* Returned: that of the theories beside a solve. */
+po_plot_picture po_plot_of_theories(const po_request *request, const po_result *result);
 
 /* Draws a picture with gnuplot in a file, po_plot_is_figure; its ending selects the format. Given:
  * the folder of the scripts. Status: PO_MISSING_TOOL if gnuplot cannot be started or fails,

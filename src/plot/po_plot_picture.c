@@ -65,7 +65,7 @@ po_plot_picture po_plot_begin(char *caption, const po_request *request) {
   return (po_plot_picture){.caption = caption,
                            .load_unit = po_input_load_unit(request),
                            .units = request->in_si ? &request->units : NULL,
-                           .failed = !caption};
+                           .status = caption ? PO_OK : PO_NO_MEMORY};
 }
 
 bool po_plot_is_jump(po_plot_style style) {
@@ -93,7 +93,7 @@ po_plot_series *po_plot_add_series(po_plot_picture *picture, po_plot_panel *pane
   static po_plot_series none; /* takes no points */
   po_plot_series *grown = po_grow(panel->series, panel->count, &panel->room, sizeof *grown);
   if (!grown) {
-    picture->failed = true;
+    picture->status = PO_NO_MEMORY;
     return &none;
   }
   panel->series = grown;
@@ -104,12 +104,13 @@ po_plot_series *po_plot_add_series(po_plot_picture *picture, po_plot_panel *pane
 }
 
 void po_plot_add_point(po_plot_picture *picture, po_plot_series *series, po_plot_point point) {
-  if (picture->failed)
+  if (picture->status)
     return;
   po_plot_point *grown = po_grow(series->point, series->count, &series->room, sizeof *grown);
-  picture->failed = !grown;
-  if (!grown)
+  if (!grown) {
+    picture->status = PO_NO_MEMORY;
     return;
+  }
   series->point = grown;
   grown[series->count++] = point;
 }

@@ -199,7 +199,7 @@ static void add_staircase(po_plot_picture *picture, const po_staircase *ours,
     add_steps(picture, jkr, po_plot_add_series(picture, panel, PO_PLOT_THEORY, "JKR theory"));
   po_plot_series *s = po_plot_add_series(picture, panel, PO_PLOT_STEPS, "computed");
   add_steps(picture, ours, s);
-  if (picture->failed)
+  if (picture->status)
     return;
   /* The JKR theory knows steps at preloads far beyond those that were traced. */
   const double first = s->point[0].x, extent = s->point[s->count - 2].x - first;
@@ -207,8 +207,9 @@ static void add_staircase(po_plot_picture *picture, const po_staircase *ours,
   panel->x.high = first + (1.0 + FREE) * extent;
 }
 
-po_status po_plot_solve(const po_request *request, const po_result *o, po_plot_picture *picture) {
-  branch b = {picture, o->curve, o->curve_count, request->stiffness};
+po_plot_picture po_plot_of_solve(const po_request *request, const po_result *o) {
+  po_plot_picture picture = po_plot_begin(po_plot_caption(request), request);
+  branch b = {&picture, o->curve, o->curve_count, request->stiffness};
   const po_hysteresis *h = o->has_hysteresis ? &o->hysteresis : NULL;
   const po_loop *spring = h && h->has_spring ? &h->spring : NULL;
   if (b.count > 1 && spring)
@@ -217,49 +218,51 @@ po_status po_plot_solve(const po_request *request, const po_result *o, po_plot_p
   if (b.count > 1)
     add_loads(&b, o, spring ? spring : h ? &h->displacement : NULL);
   if (o->profile_count > 1)
-    add_profile(picture, o);
+    add_profile(&picture, o);
   for (int k = o->staircase.has_spring ? 2 : 0; o->has_staircases && k >= 0; k -= 2)
     if (o->staircase.of[k].count)
-      add_staircase(picture, &o->staircase.of[k],
+      add_staircase(&picture, &o->staircase.of[k],
                     o->theory.has_staircases ? &o->theory.staircase.of[k] : NULL);
-  if (picture->failed)
-    return PO_NO_MEMORY;
-  return picture->count
-             ? PO_OK
-             : po_fail(PO_BAD_INPUT, "the result has no curve, profile or staircase to plot: %s",
-                       *o->reason ? o->reason : po_status_text(o->status));
+  if (!picture.status && !picture.count)
+    picture.status =
+        po_fail(PO_BAD_INPUT, "the result has no curve, profile or staircase to plot: %s",
+                *o->reason ? o->reason : po_status_text(o->status));
+  return picture;
 }
 
 /* A row a theory. */
-void po_plot_theories(const po_result *o, po_plot_picture *picture) {
+po_plot_picture po_plot_of_theories(const po_request *request, const po_result *o) {
   static const struct {
     po_plot_style style;
     const char *title;
   } HOLDS[] = {[PO_HOLDS_UNKNOWN] = {PO_PLOT_UNKNOWN, "not known whether the assumptions hold"},
                [PO_HOLDS_NO] = {PO_PLOT_FAILS, "an assumption does not hold"},
                [PO_HOLDS_YES] = {PO_PLOT_HOLDS, "the assumptions hold"}};
-  po_plot_panel *panel = po_plot_add_panel(picture);
-  panel->x = po_plot_axis_of(picture, "pull-off force", "", PO_DIMENSION_LOAD);
-  panel->y = po_plot_axis_of(picture, "theory", "", PO_DIMENSION_NONE);
+  po_plot_picture picture = po_plot_begin(po_plot_caption(request), request);
+  po_plot_panel *panel = po_plot_add_panel(&picture);
+  panel->x = po_plot_axis_of(&picture, "pull-off force", "", PO_DIMENSION_LOAD);
+  panel->y = po_plot_axis_of(&picture, "theory", "", PO_DIMENSION_NONE);
   panel->y.low = 0.0;
   panel->y.high = (double)o->theory_count + 1.0;
   char title[64];
   snprintf(title, sizeof title, "computed, %.4g %s", po_plot_shown(&panel->x, o->pull_off.force),
            panel->x.in_figure);
-  po_plot_series *s = po_plot_add_series(picture, panel, PO_PLOT_LEVEL, title);
+  po_plot_series *s = po_plot_add_series(&picture, panel, PO_PLOT_LEVEL, title);
   for (int end = 0; end < 2 && o->has_pull_off; ++end)
-    po_plot_add_point(picture, s,
+    po_plot_add_point(&picture, s,
                       (po_plot_point){o->pull_off.force, end ? panel->y.high : 0.0, 0.0});
   for (int holds = PO_HOLDS_YES; holds >= PO_HOLDS_UNKNOWN; --holds) {
-    s = po_plot_add_series(picture, panel, HOLDS[holds].style, HOLDS[holds].title);
+    s = po_plot_add_series(&picture, panel, HOLDS[holds].style, HOLDS[holds].title);
     for (size_t k = 0; k < o->theory_count; ++k)
       if ((int)o->theories[k].holds == holds && isfinite(o->theories[k].force))
         po_plot_add_point(
-            picture, s, (po_plot_point){o->theories[k].force, (double)(o->theory_count - k), 0.0});
+            &picture, s, (po_plot_point){o->theories[k].force, (double)(o->theory_count - k), 0.0});
   }
   for (size_t k = 0; k < o->theory_count; ++k)
     po_text_add(&panel->y.tics, "%s'%s%s' %zu", k ? ", " : "",
                 po_theory_words(o->theories[k].theory),
                 isfinite(o->theories[k].force) ? "" : " (none)", o->theory_count - k);
-  picture->failed = picture->failed || panel->y.tics.failed;
+  if (panel->y.tics.failed)
+    picture.status = PO_NO_MEMORY;
+  return picture;
 }
