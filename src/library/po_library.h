@@ -50,9 +50,9 @@ pulloff_status po_library_end(po_status status, pulloff_message *message);
 /* Appends the key that is close to an unknown one to the message. Returned: PO_BAD_INPUT. */
 po_status po_library_suggest(const char *key);
 
-/* The texts of a scene, which stay those of the scene. It is in SI units if one of these is given.
- */
-po_given po_library_given(const pulloff_scene *scene);
+/* The texts of a scene, which stay those of the scene, with a further value for one key; key -1:
+ * none. It is in SI units if one of these is given. */
+po_given po_library_given(const pulloff_scene *scene, int key, const char *value);
 
 /* The units of a request in SI units. */
 pulloff_units po_library_units(const po_request *request);

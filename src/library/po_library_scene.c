@@ -146,8 +146,7 @@ pulloff_status pulloff_scene_set_number(pulloff_scene *scene, const char *key, d
                           message);
 }
 
-/* The texts of a scene with a further value for one key; key -1: none. */
-static po_given given_with(const pulloff_scene *scene, int key, const char *value) {
+po_given po_library_given(const pulloff_scene *scene, int key, const char *value) {
   po_given given = {.prefix = "", .mixed = true};
   for (int k = 0; k < PO_KEY_ALL; ++k) {
     given.text[k] = k == key ? value : scene->text[k];
@@ -156,13 +155,9 @@ static po_given given_with(const pulloff_scene *scene, int key, const char *valu
   return given;
 }
 
-po_given po_library_given(const pulloff_scene *scene) {
-  return given_with(scene, -1, NULL);
-}
-
 po_status po_library_request(const pulloff_scene *scene, int key, const char *value,
                              po_request *request) {
-  po_given given = given_with(scene, key, value);
+  po_given given = po_library_given(scene, key, value);
   *request = po_input_default();
   const po_status status = po_given_read(&given, request);
   if (status)

@@ -141,7 +141,7 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
   if (status)
     return status;
   po_form_input input = {request.scene, alpha, at};
-  const po_given given = po_library_given(scene);
+  const po_given given = po_library_given(scene, -1, NULL);
   const po_use other = {"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA};
   input.general = po_given_is_general(&given, form, &request.scene);
   if (isnan(alpha) && (po_given_has(&given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&request.scene)))
