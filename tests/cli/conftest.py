@@ -46,7 +46,7 @@ class Ended:
 
 def run(words, *more):
     """Runs the program with the words of a command line, and more of them as they are."""
-    done = subprocess.run([PROGRAM, *shlex.split(words), *map(str, more)], capture_output=True, text=True)
+    done = subprocess.run([PROGRAM, *shlex.split(words), *map(str, more)], capture_output=True, text=True, errors="surrogateescape")
     return Ended(done.returncode, done.stdout, PROGRESS.sub("", done.stderr))
 
 

@@ -1,5 +1,5 @@
-# Functions for the tests of an installation. Sourced with the build folder as $1: installs into $work/prefix, which is
-# not the configured prefix. The tests run in the folder $work, which is removed at the end.
+# Functions for the tests of an installation. Sourced with the build folder as $1 and the configured prefix as $2:
+# installs into $work/prefix, which is another one. The tests run in the folder $work, which is removed at the end.
 # shellcheck shell=sh disable=SC2034
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)
@@ -26,13 +26,8 @@ check() {
 # fails COMMAND...: succeeds if the command fails.
 fails() { ! "$@"; }
 
-configured_prefix() {
-  meson introspect "$build" --buildoptions |
-    /usr/bin/python3 -c 'import json, sys; print(next(o["value"] for o in json.load(sys.stdin) if o["name"] == "prefix"))'
-}
-
 meson install -C "$build" --no-rebuild --quiet --strip --destdir "$work/root" || exit 99
-mv "$work/root$(configured_prefix)" "$work/prefix" || exit 99
+mv "$work/root$2" "$work/prefix" || exit 99
 
 # alone COMMAND...: runs a command without any variable of the environment of the tests that could lead to the source.
 alone() { env -i PATH="$work/prefix/bin:/usr/bin:/bin" HOME="$work" ${LANG:+LANG="$LANG"} OPENBLAS_NUM_THREADS=1 "$@"; }

@@ -6,9 +6,7 @@ PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name pulloff.pc)")
 export PKG_CONFIG_PATH
 examples=$work/prefix/share/doc/pulloff/doc/examples
 folder=$(dirname "$(find "$work/prefix" -name libpulloff.so)")
-sanitize=$(meson introspect "$build" --buildoptions |
-  /usr/bin/python3 -c 'import json, sys; print(next(o["value"] for o in json.load(sys.stdin) if o["name"] == "b_sanitize"))')
-[ "$sanitize" = none ] && sanitize= || sanitize=-fsanitize=$sanitize
+[ "$3" = none ] && sanitize= || sanitize=-fsanitize=$3
 
 config() { pkg-config --define-variable=prefix="$work/prefix" "$@" pulloff; }
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The installed Python module finds the installed library; pip installs the folder python/; the example runs.
-# Usage: module.sh BUILD
+# Usage: module.sh BUILD PREFIX
 # shellcheck disable=SC1091,SC2154
 . "$(dirname "$0")/../install/lib.sh"
 python=/usr/bin/python3
