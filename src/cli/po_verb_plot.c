@@ -117,10 +117,11 @@ static size_t index_of(const double *value, size_t count, double wanted) {
   return k;
 }
 
-/* Fills the forces. Returned: whether any point has a pull-off. */
+/* Fills the forces and their range. Returned: whether any point has a pull-off. */
 static bool fill(const po_case_run *run, const po_case *kase, const po_key keys[2],
-                 const po_plot_map *map, double *force) {
-  bool any = false;
+                 po_plot_map *map, double *force) {
+  map->low = INFINITY;
+  map->high = -INFINITY;
   for (size_t k = 0; k < map->columns * map->rows; ++k)
     force[k] = NAN;
   for (size_t i = 0; i < kase->point_count; ++i) {
@@ -129,10 +130,12 @@ static bool fill(const po_case_run *run, const po_case *kase, const po_key keys[
     if (!run->points[i].result.has_pull_off || !isfinite(x) || !isfinite(y))
       continue;
     const size_t row = index_of(map->y, map->rows, y);
-    force[row * map->columns + index_of(map->x, map->columns, x)] = run->points[i].result.pull_off.force;
-    any = true;
+    const double value = run->points[i].result.pull_off.force;
+    force[row * map->columns + index_of(map->x, map->columns, x)] = value;
+    map->low = fmin(map->low, value);
+    map->high = fmax(map->high, value);
   }
-  return any;
+  return map->low <= map->high;
 }
 
 /* Plots the pull-off forces of such a case as a map: in a file, or as characters if it is NULL.

@@ -61,6 +61,7 @@ typedef struct {
   const double *x, *y;
   size_t columns, rows; /* at least 2 each */
   const double *value;  /* columns x rows, row by row; NAN: none */
+  double low, high;     /* the least and the greatest value */
 } po_plot_map;
 
 enum { PO_PLOT_MOST_PANELS = 6 };
@@ -101,9 +102,6 @@ po_plot_axis po_plot_axis_of(const po_plot_picture *picture, const char *words, 
  * its scale is logarithmic. */
 bool po_plot_is_log(double first, double last);
 
-/* Appends the tics of a logarithmic axis, 'x' or 'y', to a script. */
-void po_plot_add_log_tics(po_text *script, char axis, double low, double high);
-
 /* Returned: the value of a coordinate of a point as it is shown. */
 double po_plot_shown(const po_plot_axis *axis, double value);
 
@@ -129,17 +127,6 @@ po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, p
 
 /* Returned: whether the name of a file ends in .svg, .png or .pdf, the formats of figures. */
 bool po_plot_is_figure(const char *file);
-
-/* Appends the data of a map to a script, for reports/figures/map.gp. */
-void po_plot_map_data(const po_plot_map *map, po_text *script);
-
-/* Appends the line below a plot of characters, with the first and the last x below it. Before the
- * plot there are PO_PLOT_LABEL characters for values of y. */
-enum { PO_PLOT_LABEL = 10 };
-void po_plot_add_floor(po_text *text, size_t width, double first, double last);
-
-/* Appends the map of a picture as at most `columns` x `rows` characters. */
-void po_plot_map_print(const po_plot_picture *picture, size_t columns, size_t rows, po_text *text);
 
 /* The unit of loads in a figure, for that of po_input_load_unit. */
 const char *po_plot_load_unit(const char *load_unit);

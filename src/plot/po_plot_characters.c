@@ -9,6 +9,7 @@
 #include "po_plot.h"
 
 enum { MOST_STEPS = 10000 }; /* of a line that leaves the plot */
+enum { LABEL = 10 };         /* before the plot, for values of y */
 enum { LEGEND = 76 };        /* characters of a line of the legend, at most */
 
 #define MARK(key, macro, mark) mark,
@@ -74,15 +75,16 @@ static void draw_series(canvas *c, const po_plot_series *s, char mark) {
     draw(c, &s->point[i], line, mark);
 }
 
-void po_plot_add_floor(po_text *text, size_t width, double first, double last) {
+/* Appends the line below a plot, with the first and the last x below it. */
+static void add_floor(po_text *text, size_t width, double first, double last) {
   char from[32], to[32];
   snprintf(from, sizeof from, "%.4g", first);
   snprintf(to, sizeof to, "%.4g", last);
-  po_text_add(text, "%*s +", PO_PLOT_LABEL, "");
+  po_text_add(text, "%*s +", LABEL, "");
   for (size_t k = 0; k < width; ++k)
     po_text_add(text, "-");
   const int gap = (int)width - (int)strlen(from);
-  po_text_add(text, "\n%*s  %s%*s\n", PO_PLOT_LABEL, "", from, gap > 1 ? gap : 1, to);
+  po_text_add(text, "\n%*s  %s%*s\n", LABEL, "", from, gap > 1 ? gap : 1, to);
 }
 
 static void add_rows(const canvas *c, po_text *text) {
@@ -96,9 +98,9 @@ static void add_rows(const canvas *c, po_text *text) {
     size_t length = c->columns;
     while (length && c->cell[row * c->columns + length - 1] == ' ')
       --length;
-    po_text_add(text, "%*s |%.*s\n", PO_PLOT_LABEL, label, (int)length, c->cell + row * c->columns);
+    po_text_add(text, "%*s |%.*s\n", LABEL, label, (int)length, c->cell + row * c->columns);
   }
-  po_plot_add_floor(text, c->columns, c->x[0], c->x[1]);
+  add_floor(text, c->columns, c->x[0], c->x[1]);
 }
 
 /* The title of each mark, once. */
@@ -142,10 +144,51 @@ static po_status print_panel(po_plot_panel *panel, size_t columns, size_t rows, 
   return PO_OK;
 }
 
+/* The shades of a map of characters, from the smallest to the greatest value. */
+static const char SHADES[] = ".:-=+*#%@";
+enum { SHADE_COUNT = sizeof SHADES - 1 };
+
+static char shade_of(const po_plot_map *map, double value) {
+  if (!isfinite(value))
+    return ' ';
+  const double at = map->high > map->low ? (value - map->low) / (map->high - map->low) : 0.0;
+  return SHADES[(int)fmin(SHADE_COUNT - 1, floor(at * SHADE_COUNT))];
+}
+
+/* Prints the map of a picture. */
+static void print_map(const po_plot_picture *picture, size_t columns, size_t rows, po_text *text) {
+  enum { ROWS_PER_LABEL = 5 };
+  const po_plot_map *map = picture->map;
+  /* every value has the same number of characters; if there are too many values, some are left out
+   */
+  const size_t wide = map->columns < columns ? columns / map->columns : 1;
+  const size_t every = map->columns > columns ? (map->columns - 1) / columns + 1 : 1;
+  const size_t every_row = map->rows > rows ? (map->rows - 1) / rows + 1 : 1;
+  po_text_add(text, "%s: pull-off force in %s over %s and %s\n", picture->caption,
+              picture->load_unit, map->x_name, map->y_name);
+  po_text_add(text, "%s from %.4g to %.4g, in steps of %.4g\n", SHADES, map->low, map->high,
+              (map->high - map->low) / SHADE_COUNT);
+  size_t shown = 0, width = 0;
+  for (size_t down = 0; down < map->rows; down += every_row, ++shown) {
+    const size_t j = map->rows - 1 - down;
+    char label[32] = "";
+    if (shown % ROWS_PER_LABEL == 0 || down + every_row >= map->rows)
+      snprintf(label, sizeof label, "%.4g", map->y[j]);
+    po_text_add(text, "%*s |", LABEL, label);
+    width = 0;
+    for (size_t i = 0; i < map->columns; i += every)
+      for (size_t k = 0; k < wide; ++k, ++width)
+        po_text_add(text, "%c", shade_of(map, map->value[j * map->columns + i]));
+    po_text_add(text, "\n");
+  }
+  add_floor(text, width, map->x[0], map->x[map->columns - 1]);
+  po_text_add(text, "%*s  %s, upwards %s\n", LABEL, "", map->x_name, map->y_name);
+}
+
 po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, po_text *text) {
   po_status status = PO_OK;
   if (picture->map)
-    po_plot_map_print(picture, columns, rows, text);
+    print_map(picture, columns, rows, text);
   for (size_t k = 0; k < picture->count && !status; ++k)
     status = print_panel(&picture->panel[k], columns, rows, text);
   return status ? status : text->failed ? PO_NO_MEMORY : PO_OK;

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "po_elementary.h"
 #include "po_file.h"
 #include "po_plot.h"
 
@@ -37,12 +38,30 @@ static void add_label(po_text *script, const char *which, const po_plot_axis *ax
               unit, *unit && axis->si ? ")" : "", *unit ? " " : " noenhanced ", more);
 }
 
+/* Appends the tics of a logarithmic axis, 'x' or 'y'. */
+static void add_log_tics(po_text *script, char axis, double low, double high) {
+  const char *comma = "";
+  po_text_add(script, "set logscale %c\nset %ctics (", axis, axis);
+  for (double power = po_pow(10.0, floor(po_log(low) / po_log(10.0))); power <= high; power *= 10.0)
+    for (int digit = 1; digit < 10; ++digit) {
+      const double value = digit * power;
+      if (value < low || value > high)
+        continue;
+      if (digit == 1 || digit == 2 || digit == 5)
+        po_text_add(script, "%s'%g' %.9g", comma, value, value);
+      else
+        po_text_add(script, "%s'' %.9g 1", comma, value);
+      comma = ", ";
+    }
+  po_text_add(script, ")\n");
+}
+
 static void add_range(po_text *script, char which, const po_plot_axis *axis) {
   const double low = po_plot_shown(axis, axis->low), high = po_plot_shown(axis, axis->high);
   po_text_add(script, "unset logscale %c; set %ctics autofreq\nset %crange [%.9g:%.9g]\n", which,
               which, which, low, high);
   if (axis->log)
-    po_plot_add_log_tics(script, which, low, high);
+    add_log_tics(script, which, low, high);
   if (axis->tics.length)
     po_text_add(script, "set %ctics (%s)\n", which, axis->tics.data);
 }
@@ -117,6 +136,49 @@ static void add_panel(po_text *script, po_plot_panel *panel) {
   script->failed = script->failed || plot.failed;
   po_text_clear(&plot);
 }
+
+/* -- Maps -- */
+
+/* Part of a step by which a cell is larger on the right and above: a drawing program leaves a pale
+ * line between two cells that only touch. */
+static const double OVERLAP = 0.1;
+
+/* The border between two values of an axis, or beyond an end of it: half a step away. Given:
+ * `more`, steps farther. */
+static double border(const double *value, size_t count, size_t index, double more) {
+  const bool log_scale = po_plot_is_log(value[0], value[count - 1]);
+  const size_t inner = index == 0 ? 1 : index == count ? count - 1 : index;
+  const double a = value[inner - 1], b = value[inner];
+  const double part = (index == 0 ? -0.5 : index == count ? 1.5 : 0.5) + more;
+  return log_scale ? a * po_pow(b / a, part) : a + part * (b - a);
+}
+
+static void add_map_axis(po_text *script, char axis, const double *value, size_t count) {
+  const double low = border(value, count, 0, 0.0), high = border(value, count, count, 0.0);
+  po_text_add(script, "set %crange [%.9g:%.9g]\n", axis, low, high);
+  if (po_plot_is_log(value[0], value[count - 1]))
+    add_log_tics(script, axis, low, high);
+}
+
+/* Appends the data of a map, for reports/figures/map.gp. */
+static void add_map(const po_plot_map *map, po_text *script) {
+  po_text_add(script, "$map << EOD\n");
+  for (size_t j = 0; j < map->rows; ++j)
+    for (size_t i = 0; i < map->columns; ++i)
+      if (isfinite(map->value[j * map->columns + i]))
+        po_text_add(script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", map->x[i], map->y[j],
+                    border(map->x, map->columns, i, 0.0),
+                    border(map->x, map->columns, i + 1, OVERLAP), border(map->y, map->rows, j, 0.0),
+                    border(map->y, map->rows, j + 1, OVERLAP), map->value[j * map->columns + i]);
+  po_text_add(script, "EOD\n");
+  add_map_axis(script, 'x', map->x, map->columns);
+  add_map_axis(script, 'y', map->y, map->rows);
+  /* gnuplot would leave out cells whose overlap ends beyond the axes */
+  if (map->low < map->high)
+    po_text_add(script, "set cbrange [%.9g:%.9g]\n", map->low, map->high);
+}
+
+/* -- The run of gnuplot -- */
 
 static const char *ending_of(const char *file) {
   const char *point = strrchr(file, '.');
@@ -195,7 +257,7 @@ po_status po_plot_draw(po_plot_picture *picture, const char *figures, const char
     assign(&script, "x_name", map->x_name);
     assign(&script, "y_name", map->y_name);
     assign(&script, "load_unit", po_plot_load_unit(picture->load_unit));
-    po_plot_map_data(map, &script);
+    add_map(map, &script);
   } else
     po_text_add(&script, "panel_count = %zu\nfigure_height = %d\n", picture->count,
                 picture->count > 2 ? ROW * (int)((picture->count + 1) / 2) : ONE_ROW);

@@ -149,23 +149,6 @@ bool po_plot_is_log(double first, double last) {
   return first > 0.0 && last > MOST_LINEAR * first;
 }
 
-void po_plot_add_log_tics(po_text *script, char axis, double low, double high) {
-  const char *comma = "";
-  po_text_add(script, "set logscale %c\nset %ctics (", axis, axis);
-  for (double power = po_pow(10.0, floor(po_log(low) / po_log(10.0))); power <= high; power *= 10.0)
-    for (int digit = 1; digit < 10; ++digit) {
-      const double value = digit * power;
-      if (value < low || value > high)
-        continue;
-      if (digit == 1 || digit == 2 || digit == 5)
-        po_text_add(script, "%s'%g' %.9g", comma, value, value);
-      else
-        po_text_add(script, "%s'' %.9g 1", comma, value);
-      comma = ", ";
-    }
-  po_text_add(script, ")\n");
-}
-
 static void widen(double range[2], double value) {
   range[0] = fmin(range[0], value);
   range[1] = fmax(range[1], value);
