@@ -141,47 +141,6 @@ po_status po_file_write(const char *path, const char *data, size_t size) {
   return write_beside(path, there ? &found : NULL, data, size);
 }
 
-/* Returned: whether a file of `size` bytes ends without a newline. */
-static bool lacks_newline(int file, off_t size) {
-  char last = '\n';
-  return size > 0 && pread(file, &last, 1, size - 1) == 1 && last != '\n';
-}
-
-/* Removes a line that was written only in part. If another process has appended to the file in the
- * meantime, the partial line stays; readers skip it. */
-static void remove_partial_line(int file, off_t before, off_t put) {
-  struct stat now;
-  if (put > 0 && fstat(file, &now) == 0 && now.st_size == before + put)
-    (void)!ftruncate(file, before);
-}
-
-/* Appends a line. Returned: 0 or the errno. */
-static int append_line(int file, const char *line, size_t size) {
-  struct stat found;
-  if (fstat(file, &found) != 0)
-    return errno;
-  if (lacks_newline(file, found.st_size) && write(file, "\n", 1) == 1)
-    found.st_size += 1;
-  errno = 0;
-  const ssize_t put = write(file, line, size);
-  if (put == (ssize_t)size)
-    return 0;
-  const int error = put < 0 ? errno : ENOSPC; /* a short write does not set errno */
-  remove_partial_line(file, found.st_size, put);
-  return error;
-}
-
-po_status po_file_append_line(const char *path, const char *line, size_t size) {
-  if (po_no_memory_or(PO_OK))
-    return PO_NO_MEMORY;
-  const int file = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  int error = file < 0 ? errno : append_line(file, line, size);
-  if (file >= 0 && close(file) != 0 && !error)
-    error = errno;
-  return error ? po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(error))
-               : PO_OK;
-}
-
 po_status po_folder_make(const char *path) {
   char part[PATH_MAX];
   const size_t length = strlen(path);

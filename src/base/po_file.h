@@ -13,23 +13,15 @@
  * long). */
 po_status po_file_read(const char *path, char **data, size_t *size);
 
-/* If an allocation has failed in this thread (see po_no_memory_or), po_file_write and
- * po_file_append_line write nothing, because their input may be incomplete. Status:
- * PO_NO_MEMORY. */
-
 /* Writes `size` bytes to the file `path`. The bytes are written to a temporary file in the same
  * folder and flushed to the disk; then that file is renamed to `path`. A reader finds either the
  * old content or the new one. If `path` exists and is not a regular file (/dev/stdout, a pipe), it
  * is written in place. A symbolic link is kept and its target is written. An existing file keeps
  * its permissions. Missing folders are not created. Status: PO_CANNOT_WRITE, with the name of the
- * file and the reason; then `path` is unchanged and no temporary file remains. */
+ * file and the reason; then `path` is unchanged and no temporary file remains. PO_NO_MEMORY: an
+ * allocation has failed in this thread (see po_no_memory_or), and nothing is written, because the
+ * data may be incomplete. */
 po_status po_file_write(const char *path, const char *data, size_t size);
-
-/* Appends a line, which must end in a newline, with one write, because another process may append
- * to the same file. The file is created if it does not exist. If its last line has no newline, as
- * after a killed process or on a full disk, the new line starts after an added newline. Status:
- * PO_CANNOT_WRITE, with the name of the file and the reason; then no part of the line remains. */
-po_status po_file_append_line(const char *path, const char *line, size_t size);
 
 /* Creates a folder and its parents, as mkdir -p does. Status: PO_CANNOT_WRITE, with the path that
  * prevents it. */

@@ -1,8 +1,10 @@
 #include "po_record.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "po_file.h"
@@ -57,11 +59,52 @@ po_status po_journal_read(po_case_run *run, const char *folder) {
   return status;
 }
 
+/* Returned: whether a file of `size` bytes ends without a newline. */
+static bool lacks_newline(int file, off_t size) {
+  char last = '\n';
+  return size > 0 && pread(file, &last, 1, size - 1) == 1 && last != '\n';
+}
+
+/* Removes a line that was written only in part. If another process has appended to the file in the
+ * meantime, the partial line stays; readers skip it. */
+static void remove_partial_line(int file, off_t before, off_t put) {
+  struct stat now;
+  if (put > 0 && fstat(file, &now) == 0 && now.st_size == before + put)
+    (void)!ftruncate(file, before);
+}
+
+/* Appends a line. Returned: 0 or the errno. */
+static int append_line(int file, const char *line, size_t size) {
+  struct stat found;
+  if (fstat(file, &found) != 0)
+    return errno;
+  if (lacks_newline(file, found.st_size) && write(file, "\n", 1) == 1)
+    found.st_size += 1;
+  errno = 0;
+  const ssize_t put = write(file, line, size);
+  if (put == (ssize_t)size)
+    return 0;
+  const int error = put < 0 ? errno : ENOSPC; /* a short write does not set errno */
+  remove_partial_line(file, found.st_size, put);
+  return error;
+}
+
+/* Appends a line with one write, because another process may append to the same file. If its last
+ * line has no newline, as after a killed process or on a full disk, the new line starts after an
+ * added newline. Status: PO_CANNOT_WRITE; then no part of the line remains. */
 static po_status append(const char *path, const json_t *entry) {
   po_text text = {0};
   po_status status = po_json_print_line(entry, &text);
   if (!status)
-    status = po_file_append_line(path, text.data, text.length);
+    status = po_no_memory_or(PO_OK); /* the entry may be incomplete */
+  if (!status) {
+    const int file = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    int error = file < 0 ? errno : append_line(file, text.data, text.length);
+    if (file >= 0 && close(file) != 0 && !error)
+      error = errno;
+    if (error)
+      status = po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(error));
+  }
   po_text_clear(&text);
   return status;
 }
