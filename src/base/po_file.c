@@ -11,50 +11,42 @@
 #include <unistd.h>
 
 #include "po_memory.h"
+#include "po_text.h"
 
 /* Far above the size of any case, reference or record; prevents a device or a wrong file from
  * filling the memory. */
 static const size_t LONGEST_FILE = (size_t)256 << 20;
 
-static po_status read_descriptor(int file, const char *path, char **data, size_t *size) {
-  size_t length = 0, capacity = 0;
-  char *bytes = NULL;
-  for (;;) {
-    if (length + 1 >= capacity) {
-      capacity = capacity ? 2 * capacity : 65536;
-      const bool fits = capacity <= 2 * LONGEST_FILE;
-      char *larger = fits ? po_resize(bytes, capacity, 1) : NULL;
-      if (!larger) {
-        free(bytes);
-        return !fits ? po_fail(PO_CANNOT_READ, "%s is longer than %zu bytes", path, LONGEST_FILE)
-                     : PO_NO_MEMORY;
-      }
-      bytes = larger;
-    }
-    const ssize_t got = read(file, bytes + length, capacity - length - 1);
-    if (got == 0)
-      break;
-    if (got < 0 && errno == EINTR)
-      continue;
-    if (got < 0) {
-      free(bytes);
+static po_status read_descriptor(int file, const char *path, po_text *text) {
+  char bytes[1 << 14];
+  ssize_t got = 1;
+  po_text_add(text, "%s", "");
+  while (got != 0 && !text->failed) {
+    got = read(file, bytes, sizeof bytes);
+    if (got < 0 && errno != EINTR)
       return po_fail(PO_CANNOT_READ, "%s cannot be read: %s", path, strerror(errno));
-    }
-    length += (size_t)got;
+    if (got > 0)
+      po_text_add_bytes(text, bytes, (size_t)got);
+    if (text->length > LONGEST_FILE)
+      return po_fail(PO_CANNOT_READ, "%s is longer than %zu bytes", path, LONGEST_FILE);
   }
-  bytes[length] = '\0';
-  *data = bytes;
-  *size = length;
-  return PO_OK;
+  return text->failed ? PO_NO_MEMORY : PO_OK;
 }
 
 po_status po_file_read(const char *path, char **data, size_t *size) {
   const int file = open(path, O_RDONLY | O_CLOEXEC);
   if (file < 0)
     return po_fail(PO_CANNOT_READ, "%s cannot be opened: %s", path, strerror(errno));
-  const po_status status = read_descriptor(file, path, data, size);
+  po_text text = {0};
+  const po_status status = read_descriptor(file, path, &text);
   close(file);
-  return status;
+  if (status) {
+    po_text_clear(&text);
+    return status;
+  }
+  *data = text.data;
+  *size = text.length;
+  return PO_OK;
 }
 
 static int write_all(int file, const char *data, size_t size) {

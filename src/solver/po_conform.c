@@ -43,6 +43,7 @@ typedef struct {
   po_reference table;
   conform_scene scenes[MOST_SCENES];
   size_t count;
+  po_ask_log log;               /* of the present test */
   volatile sig_atomic_t enough; /* ends a process after its first answer */
   size_t taken;                 /* answers of that process */
   double at;                    /* time of the first of them */
@@ -97,6 +98,15 @@ static bool add_scene(conforming *c, const char *limit, double tabor, double rad
   return false;
 }
 
+/* Adds the first scene that the solver accepts, if there is one. */
+static bool add_first(conforming *c, const char *limit, const double *tabor, size_t count,
+                      double radius) {
+  size_t i = 0;
+  while (i < count && !add_scene(c, limit, tabor[i], radius))
+    ++i;
+  return i < count;
+}
+
 /* Chooses up to four scenes: the most rigid one, the softest one, and one between them, with a
  * second radius. */
 static void choose_scenes(conforming *c) {
@@ -105,23 +115,17 @@ static void choose_scenes(conforming *c) {
                       MIDDLE[] = {0.8, 1, 1.25, 0.6, 1.5, 0.5, 0.3, 2};
   static const double RADIUS[] = {100, 50, 200, 30, 500, 20, 10, 1000};
   enum { RADII = sizeof RADIUS / sizeof *RADIUS };
-  size_t radius = 0;
-  bool found = false;
-  for (size_t r = 0; !found && r < RADII; ++r)
-    for (size_t i = 0; !found && i < sizeof RIGID / sizeof *RIGID; ++i) {
-      found = add_scene(c, "Bradley", RIGID[i], RADIUS[r]);
-      radius = r;
-    }
-  for (size_t i = 0; found && i < sizeof SOFT / sizeof *SOFT; ++i)
-    if (add_scene(c, "JKR", SOFT[i], RADIUS[radius]))
-      break;
-  for (size_t i = 0; found && i < sizeof MIDDLE / sizeof *MIDDLE; ++i)
-    if (add_scene(c, "between", MIDDLE[i], RADIUS[radius])) {
-      for (size_t r = radius + 1; r < RADII; ++r)
-        if (add_scene(c, "between", MIDDLE[i], RADIUS[r]))
-          return;
-      return;
-    }
+  size_t r = 0;
+  while (r < RADII && !add_first(c, "Bradley", RIGID, sizeof RIGID / sizeof *RIGID, RADIUS[r]))
+    ++r;
+  if (r == RADII)
+    return;
+  add_first(c, "JKR", SOFT, sizeof SOFT / sizeof *SOFT, RADIUS[r]);
+  if (!add_first(c, "between", MIDDLE, sizeof MIDDLE / sizeof *MIDDLE, RADIUS[r]))
+    return;
+  const double tabor = c->scenes[c->count - 1].question.request.scene.tabor;
+  while (++r < RADII && !add_scene(c, "between", tabor, RADIUS[r]))
+    continue;
 }
 
 /* The pull-off of the stable path and of the whole branch are the same for a smooth sphere.
@@ -163,6 +167,7 @@ static po_status take(void *context, size_t question, po_answer *answer, bool fi
 }
 
 static void forget_answers(conforming *c) {
+  po_ask_log_clear(&c->log);
   for (size_t i = 0; i < c->count; ++i) {
     po_result_clear(&c->scenes[i].answer.result);
     c->scenes[i].answer = (po_answer){.result = po_result_none()};
@@ -172,27 +177,25 @@ static void forget_answers(conforming *c) {
 }
 
 static po_status ask(conforming *c, size_t count, unsigned repeats,
-                     const volatile sig_atomic_t *stop, po_answer_taker *taker, po_ask_log *log) {
+                     const volatile sig_atomic_t *stop, po_answer_taker *taker) {
   po_question questions[MOST_SCENES];
   forget_answers(c);
   for (size_t i = 0; i < count; ++i) {
     questions[i] = c->scenes[i].question;
     questions[i].repeats = repeats;
   }
-  return po_ask(c->solver, questions, count, c->folder, NULL, stop, taker, c, log);
+  return po_ask(c->solver, questions, count, c->folder, NULL, stop, taker, c, &c->log);
 }
 
 static po_status test_empty(conforming *c) {
-  po_ask_log log;
-  const po_status status = ask(c, 0, 1, c->stop, take, &log);
+  const po_status status = ask(c, 0, 1, c->stop, take);
   if (!status) {
-    const po_ask_process *p = &log.processes[0];
-    const bool ok = !log.folder;
+    const po_ask_process *p = &c->log.processes[0];
+    const bool ok = !c->log.folder;
     tell(c, ok ? "ok" : "wrong", "empty request: %s %.2f s, %.2f s of processor time%s",
          ok ? "ended after" : "expected the end with exit status 0; after", p->wall, p->processor,
          p->left ? "; processes that it left behind were killed" : "");
   }
-  po_ask_log_clear(&log);
   return status;
 }
 
@@ -253,14 +256,13 @@ static void compare_scenes(conforming *c) {
 }
 
 static po_status test_scenes(conforming *c) {
-  po_ask_log log;
-  const po_status status = ask(c, c->count, 1, c->stop, take, &log);
+  const po_status status = ask(c, c->count, 1, c->stop, take);
   double reported = 0, wall = 0;
   bool left = false;
-  for (size_t i = 0; i < log.count; ++i) {
-    reported += log.processes[i].found.reported;
-    wall += log.processes[i].wall;
-    left = left || log.processes[i].left;
+  for (size_t i = 0; i < c->log.count; ++i) {
+    reported += c->log.processes[i].found.reported;
+    wall += c->log.processes[i].wall;
+    left = left || c->log.processes[i].left;
   }
   for (size_t i = 0; !status && i < c->count; ++i) {
     const conform_scene *s = &c->scenes[i];
@@ -282,20 +284,17 @@ static po_status test_scenes(conforming *c) {
     tell(c, "wrong", "seconds: %.3g s are reported, but the process took %.3g s", reported, wall);
   if (!status && left)
     tell(c, "note", "processes that the solver left behind were killed");
-  if (!status && log.folder)
-    tell(c, "note", "request and response are in %s", log.folder);
-  po_ask_log_clear(&log);
+  if (!status && c->log.folder)
+    tell(c, "note", "request and response are in %s", c->log.folder);
   return status;
 }
 
 static po_status test_repeats(conforming *c) {
-  po_ask_log log;
-  const po_status status = ask(c, 1, 2, c->stop, take, &log);
+  const po_status status = ask(c, 1, 2, c->stop, take);
   const conform_scene *s = &c->scenes[0];
   if (!status)
     tell(c, s->answers == 2 ? "ok" : "wrong", "repeats: %u answers to a request of 2 repeats%s%s",
          s->answers, s->answer.result.reason[0] ? ": " : "", s->answer.result.reason);
-  po_ask_log_clear(&log);
   return status;
 }
 
@@ -317,12 +316,11 @@ static bool find_beyond(const conforming *c, po_request *request, char why[PO_SO
 }
 
 static po_status test_unsupported(conforming *c) {
-  po_ask_log log;
   char why[PO_SOLVER_WHY];
   conform_scene kept = c->scenes[0];
   if (!find_beyond(c, &c->scenes[0].question.request, why))
     return PO_OK;
-  const po_status status = ask(c, 1, 1, c->stop, take, &log);
+  const po_status status = ask(c, 1, 1, c->stop, take);
   const po_result *o = &c->scenes[0].answer.result;
   if (!status && o->status == PO_UNSUPPORTED)
     tell(c, "ok", "a scene outside the manifest (%s): unsupported: %s", why, o->reason);
@@ -332,7 +330,6 @@ static po_status test_unsupported(conforming *c) {
   else if (!status)
     tell(c, "note", "a scene outside the manifest (%s) is solved; it will never be asked", why);
   c->scenes[0].question = kept.question;
-  po_ask_log_clear(&log);
   return status;
 }
 
@@ -349,12 +346,11 @@ static po_status take_and_stop(void *context, size_t question, po_answer *answer
 /* Asks all questions and ends the process after the first answer. If the solver writes each answer
  * at once, fewer answers than questions have arrived then. */
 static po_status test_stop(conforming *c) {
-  po_ask_log log;
   if (c->count == 1)
     return PO_OK;
   c->enough = 0;
   c->taken = 0;
-  po_status status = ask(c, c->count, 1, &c->enough, take_and_stop, &log);
+  po_status status = ask(c, c->count, 1, &c->enough, take_and_stop);
   const double seconds = po_clock_wall() - c->at;
   if (status == PO_INTERRUPTED && !(c->stop && *c->stop))
     status = PO_OK;
@@ -367,7 +363,6 @@ static po_status test_stop(conforming *c) {
          c->count);
   if (!status && c->taken && seconds > 2 && c->taken < c->count)
     tell(c, "note", "the signal TERM does not end the solver; KILL does");
-  po_ask_log_clear(&log);
   return status;
 }
 

@@ -91,17 +91,16 @@ static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned nu
   return item->from > item->to ? refuse(yaml, NULL, "can.scene[%u].to", number) : PO_OK;
 }
 
-/* Reports whether an external solver can compute a quantity: it has a place in an answer. */
-static bool has_answer(po_quantity quantity) {
-  return po_quantity_is(quantity, PO_OF_PULL_OFF) || po_quantity_is(quantity, PO_OF_LOOP) ||
-         quantity == PO_FOLD_COUNT || quantity == PO_FOLDS || quantity == PO_EXTREMA ||
-         quantity == PO_CURVE;
-}
-
 /* Reports whether a quantity describes parts of the branch on which equilibria are unstable. */
 static bool needs_unstable(po_quantity quantity) {
   return quantity == PO_FOLD_COUNT || quantity == PO_FOLDS || quantity == PO_EXTREMA ||
          quantity == PO_CURVE;
+}
+
+/* Reports whether an external solver can compute a quantity: it has a place in an answer. */
+static bool has_answer(po_quantity quantity) {
+  return po_quantity_is(quantity, PO_OF_PULL_OFF) || po_quantity_is(quantity, PO_OF_LOOP) ||
+         needs_unstable(quantity);
 }
 
 static po_status parse_quantities(const po_yaml *yaml, po_solver *solver) {
@@ -121,11 +120,22 @@ static po_status parse_quantities(const po_yaml *yaml, po_solver *solver) {
   return PO_OK;
 }
 
-static po_status parse_number(const po_yaml *yaml, const char *path, const char *text, bool zero,
-                              double *number) {
-  if (!text || (po_number_parse(text, number) && (*number > 0 || (zero && *number == 0))))
-    return PO_OK;
-  return refuse(yaml, NULL, "%s", path);
+static po_status parse_numbers(const po_yaml *yaml, po_solver *solver) {
+  const po_solver_file *file = solver->file;
+  const struct {
+    const char *path, *text;
+    double absent, *number;
+  } items[] = {{"approach_step", file->approach_step_text, 0, &solver->approach_step},
+               {"start_limit", file->start_limit_text, START_LIMIT, &solver->start_limit},
+               {"time_limit", file->time_limit_text, TIME_LIMIT, &solver->time_limit}};
+  for (size_t i = 0; i < sizeof items / sizeof *items; ++i) {
+    double number = items[i].absent;
+    const bool good = !items[i].text || po_number_parse(items[i].text, &number);
+    if (!good || number < 0 || (number == 0 && items[i].absent > 0))
+      return refuse(yaml, NULL, "%s", items[i].path);
+    *items[i].number = number;
+  }
+  return PO_OK;
 }
 
 /* Chooses the value of the knob, and composes the name of the solver. */
@@ -164,15 +174,8 @@ static po_status parse(const po_yaml *yaml, const char *knob, po_solver *solver)
   for (unsigned i = 0; !status && file->knob && i < file->knob->values_count; ++i)
     if (strchr(file->knob->values[i], '/'))
       status = refuse(yaml, NULL, "knob.values");
-  solver->start_limit = START_LIMIT;
-  solver->time_limit = TIME_LIMIT;
   if (!status)
-    status =
-        parse_number(yaml, "approach_step", file->approach_step_text, true, &solver->approach_step);
-  if (!status)
-    status = parse_number(yaml, "start_limit", file->start_limit_text, false, &solver->start_limit);
-  if (!status)
-    status = parse_number(yaml, "time_limit", file->time_limit_text, false, &solver->time_limit);
+    status = parse_numbers(yaml, solver);
   return status ? status : choose_knob(solver, knob);
 }
 
