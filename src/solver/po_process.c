@@ -91,15 +91,13 @@ static void limit(int what, rlim_t value) {
   }
 }
 
-/* Gives this process its standard streams, and closes all other files but `kept`. Among them are
- * the locks of the folders of other threads: they must not outlive the program. */
-static bool set_files(int output, unsigned kept) {
-  const unsigned first = STDERR_FILENO + 1;
+/* Gives this process its standard streams, and closes all other files. Among them are the locks of
+ * the folders of other threads: they must not outlive the program. */
+static bool set_files(int output) {
   const int empty = open("/dev/null", O_RDONLY);
   return empty >= 0 && dup2(empty, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 &&
          dup2(output, STDERR_FILENO) >= 0 &&
-         (kept == first || syscall(SYS_close_range, first, kept - 1, 0U) == 0) &&
-         syscall(SYS_close_range, kept + 1, ~0U, 0U) == 0;
+         syscall(SYS_close_range, STDERR_FILENO + 1, ~0U, 0U) == 0;
 }
 
 /* What a solver cannot do: write outside its folder, and read the memory and the environment of
@@ -181,8 +179,8 @@ static int confine(const char *folder) {
   return error;
 }
 
-/* Becomes the program; to be called in a new process. Calls only functions that are safe after a
- * fork of a program with threads. Returned: the errno of the step that failed. */
+/* Becomes the program; to be called in a new process. Returned: the errno of the step that failed.
+ */
 static int become(char *const *command, char *const *environment, const char *folder,
                   pid_t parent) {
   static const int RESET[] = {SIGINT, SIGTERM, SIGPIPE, SIGHUP, SIGQUIT, SIGCHLD};
@@ -225,61 +223,46 @@ static int make_pipe(int ends[2]) {
   return 0;
 }
 
-/* Waits until the program runs. Returned: 0, or the errno of the step that failed; then the process
- * is gone. */
-static int await_start(int started, po_process *process) {
-  int error = 0;
-  /* a successful execve closes the pipe without a message */
-  while (read(started, &error, sizeof error) < 0 && errno == EINTR)
-    continue;
-  if (!error && (process->handle = pidfd_open(process->pid, 0)) < 0)
-    error = errno;
-  if (!error)
-    return 0;
-  kill(-process->pid, SIGKILL);
-  while (waitpid(process->pid, NULL, 0) < 0 && errno == EINTR)
-    continue;
-  return error;
+/* Becomes the program in a new process, or says in its output why not. Calls only functions that
+ * are safe after a fork of a program with threads. */
+static _Noreturn void run(char *const *command, char *const *environment, const char *folder,
+                          pid_t parent, int output) {
+  const bool set = set_files(output);
+  const int error = set ? become(command, environment, folder, parent) : errno;
+  const char *const words[] = {"it cannot be started: ", strerrordesc_np(error)};
+  for (size_t k = 0; k < 2 && words[k]; ++k)
+    (void)!write(set ? STDOUT_FILENO : output, words[k], strlen(words[k]));
+  _exit(127);
 }
 
-/* Starts the program. If the new process cannot become the program, this is how it ended. */
+/* Starts the program. */
 static po_status start(char *const *command, char *const *environment, const char *folder,
                        po_process *process) {
-  int started[2] = {-1, -1}, output[2] = {-1, -1}, error = make_pipe(started);
+  int output[2] = {-1, -1}, error = make_pipe(output);
   const pid_t parent = getpid();
-  if (!error)
-    error = make_pipe(output);
   process->begin = po_clock_wall();
   /* not fork: its handlers would stop the threads of the linear algebra library */
   process->pid = error ? -1 : _Fork();
-  if (process->pid == 0) {
-    error = set_files(output[1], (unsigned)started[1])
-                ? become(command, environment, folder, parent)
-                : errno;
-    (void)!write(started[1], &error, sizeof error);
-    _exit(127);
-  }
-  if (!error && process->pid < 0)
-    error = errno;
-  close_end(&started[1]);
+  if (process->pid == 0)
+    run(command, environment, folder, parent, output[1]);
   close_end(&output[1]);
   process->output = output[0];
-  const bool forked = process->pid > 0;
-  if (forked)
-    error = await_start(started[0], process);
-  close_end(&started[0]);
+  if (process->pid > 0)
+    setpgid(process->pid, process->pid); /* whoever comes first, the program or who stops it */
+  if (!error && (process->pid < 0 || (process->handle = pidfd_open(process->pid, 0)) < 0))
+    error = errno;
   process->running = !error;
   if (!error) {
     fcntl(process->output, F_SETFL, O_NONBLOCK);
     return PO_OK;
   }
+  if (process->pid > 0) {
+    kill(process->pid, SIGKILL);
+    while (waitpid(process->pid, NULL, 0) < 0 && errno == EINTR)
+      continue;
+  }
   close_end(&process->output);
-  if (!forked)
-    return po_fail(PO_CANNOT_WRITE, "no process can be created: %s", strerror(error));
-  process->end.code = 127;
-  snprintf(process->end.output, sizeof process->end.output, "it cannot be started: %s",
-           strerror(error));
-  return PO_OK;
+  return po_fail(PO_CANNOT_WRITE, "no process can be created: %s", strerror(error));
 }
 
 po_status po_process_start(const po_solver *solver, const po_ask_folder *folder,
