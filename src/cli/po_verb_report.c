@@ -74,20 +74,19 @@ static po_status check_means(const char *script, const char *run) {
 static int run_script(const char *script, const report_line *line) {
   fflush(stdout);
   const pid_t child = fork();
-  if (child == 0) {
+  int ending = 0;
+  if (child == 0)
     execlp(python(), python(), script, "--run", line->run, "--output", line->output,
            line->fresh ? "--fresh" : (char *)NULL, (char *)NULL);
+  if (child <= 0) { /* there is no process, or it has not become Python */
     po_fail(PO_MISSING_TOOL, "%s cannot be started: %s", python(), strerror(errno));
-    _exit(po_options_end(PO_MISSING_TOOL));
+    const int code = po_options_end(PO_MISSING_TOOL);
+    if (child == 0)
+      _exit(code);
+    return code;
   }
-  int ending = 0;
-  while (child > 0 && waitpid(child, &ending, 0) < 0)
-    if (errno != EINTR)
-      break;
-  if (child < 0) {
-    po_fail(PO_MISSING_TOOL, "%s cannot be started: %s", python(), strerror(errno));
-    return po_options_end(PO_MISSING_TOOL);
-  }
+  while (waitpid(child, &ending, 0) < 0 && errno == EINTR)
+    continue;
   if (WIFSIGNALED(ending))
     return 128 + WTERMSIG(ending);
   return WEXITSTATUS(ending);

@@ -198,9 +198,10 @@ static po_jump read_jump(const json_t *item, size_t number, po_answer *answer) {
   char where[40];
   snprintf(where, sizeof where, "hysteresis.jumps[%zu]", number);
   const char *phase = json_string_value(json_object_get(item, "phase"));
-  if (!phase || (strcmp(phase, "loading") != 0 && strcmp(phase, "unloading") != 0))
+  const bool loading = phase && strcmp(phase, "loading") == 0;
+  if (!loading && !(phase && strcmp(phase, "unloading") == 0))
     refuse(answer, "%s.phase: expected loading or unloading", where);
-  po_jump jump = {.loading = phase && strcmp(phase, "loading") == 0,
+  po_jump jump = {.loading = loading,
                   .before = UNKNOWN,
                   .after = UNKNOWN,
                   .energy_lost = read_member(answer, where, item, "energy_lost"),
@@ -268,12 +269,10 @@ static void read_status(const json_t *root, po_answer *answer) {
   const char *reason = json_string_value(json_object_get(root, "reason"));
   po_result *o = &answer->result;
   po_quote_text(reason ? reason : "", o->reason, sizeof o->reason);
-  if (status && strcmp(status, "ok") == 0)
-    o->status = PO_OK;
-  else if (status && strcmp(status, "unsupported") == 0)
-    o->status = PO_UNSUPPORTED;
-  else if (status && strcmp(status, "failed") == 0)
-    o->status = PO_FAILED;
+  po_status found = PO_INVALID;
+  if (po_status_find(status, &found) &&
+      (found == PO_OK || found == PO_UNSUPPORTED || found == PO_FAILED))
+    o->status = found;
   else
     refuse(answer, "status is %s: expected ok, unsupported or failed",
            status ? status : kind_of(json_object_get(root, "status")));

@@ -74,22 +74,19 @@ static double reported_by(const po_answer *answer) {
 static po_status take_line(po_taking *t, const char *line, size_t length) {
   po_answer answer;
   po_status status = po_answer_read(line, length, &answer);
-  const size_t q = status ? t->count : find_question(t, answer.id);
-  if (!status && q < t->count)
-    po_answer_check(&t->questions[q], &answer);
-  if (!status && q == t->count && !t->complaint[0]) {
-    if (answer.result.status == PO_INVALID)
-      snprintf(t->complaint, sizeof t->complaint, "%s", answer.result.reason);
-    else
-      snprintf(t->complaint, sizeof t->complaint, "an answer has the id %.30s, which was not asked",
-               answer.id);
-  }
-  if (!status && q == t->count)
-    t->unusual = true;
+  const size_t q = find_question(t, answer.id);
+  const bool invalid = answer.result.status == PO_INVALID;
   if (!status && q < t->count) {
+    po_answer_check(&t->questions[q], &answer);
     t->found.answered += 1;
     t->found.reported += reported_by(&answer);
     status = take_answer(t, q, &answer);
+  } else if (!status) {
+    t->unusual = true;
+    if (!t->complaint[0])
+      snprintf(t->complaint, sizeof t->complaint,
+               invalid ? "%s" : "an answer has the id %.30s, which was not asked",
+               invalid ? answer.result.reason : answer.id);
   }
   po_result_clear(&answer.result);
   return status;
