@@ -74,9 +74,8 @@ typedef struct {
 static void show_point(void *watcher, double approach, double load) {
   solve_progress *progress = watcher;
   ++progress->points;
-  if (po_live_is_due(&progress->live))
-    po_live_show(&progress->live, "%zu points, approach %.4g, load %.4g", progress->points,
-                 approach, load);
+  po_live_show(&progress->live, "%zu points, approach %.4g, load %.4g", progress->points, approach,
+               load);
 }
 
 po_status po_solve_line_observe(po_solve_line *line, po_result *result) {

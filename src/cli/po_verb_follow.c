@@ -204,9 +204,8 @@ static void show_scene(void *watcher, double approach, double load) {
   follow_mark *mark = watcher;
   mark->progress->seen += !mark->is_seen;
   mark->is_seen = true;
-  if (po_live_is_due(&mark->progress->live))
-    po_live_show(&mark->progress->live, "%zu/%zu scenes", mark->progress->seen,
-                 mark->progress->count);
+  po_live_show(&mark->progress->live, "%zu/%zu scenes", mark->progress->seen,
+               mark->progress->count);
 }
 
 /* Computes the series; one of more than a second shows its progress. */

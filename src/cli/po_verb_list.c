@@ -68,8 +68,8 @@ static void print_entry(const po_reference_entry *entry, const po_catalog *catal
 
 static json_t *entry_json(const po_reference_entry *entry, const po_catalog *catalog) {
   json_t *object = PO_JSON_OBJECT(
-      {"table", po_json_text(entry->name)}, {"intact", po_json_flag(entry->intact)},
-      {"in_index", po_json_flag(entry->listed)}, {"cases", users(catalog, entry->name)});
+      {"table", po_json_text(entry->name)}, {"intact", json_boolean(entry->intact)},
+      {"in_index", json_boolean(entry->listed)}, {"cases", users(catalog, entry->name)});
   if (entry->intact) {
     po_json_set(&object, "kind", po_json_text(po_ledger_name(entry->ledger)));
     po_json_set(&object, "rows", po_json_count(entry->rows));

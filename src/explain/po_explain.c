@@ -249,7 +249,7 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item, co
       {"quantity", po_json_text(item->quantity)},
       {"ledger", po_json_text(po_ledger_name(item->ledger))},
       {"verdict", po_json_text(po_verdict_name(item->verdict))},
-      {"passes", po_json_flag(po_verdict_passes(item->verdict))},
+      {"passes", json_boolean(po_verdict_passes(item->verdict))},
       {"obtained", po_json_number(item->obtained)}, {"expected", po_json_number(item->expected)},
       {"error", po_json_number(item->error)}, {"ratio", po_json_number(item->ratio)},
       {"tolerance", po_json_number(check->tolerance)}, {"kind", po_json_text(check->kind_text)},

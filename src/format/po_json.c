@@ -56,9 +56,9 @@ static json_t *value_of(const po_row *row, const void *owner, place of) {
   case PO_ROW_COUNT:
     return po_json_count(row->get ? (uint64_t)row->get(owner) : po_row_bits(row, owner));
   case PO_ROW_INTEGER:
-    return po_json_integer((int)po_row_number(row, owner));
+    return po_json_count((uint64_t)po_row_number(row, owner));
   case PO_ROW_FLAG:
-    return po_json_flag(po_row_bits(row, owner) != 0);
+    return json_boolean(po_row_bits(row, owner) != 0);
   case PO_ROW_TEXT:
     return po_json_text(member);
   case PO_ROW_WORD:

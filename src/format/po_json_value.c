@@ -23,14 +23,6 @@ json_t *po_json_count(uint64_t value) {
   return checked(json_integer((json_int_t)value));
 }
 
-json_t *po_json_integer(int value) {
-  return checked(json_integer(value));
-}
-
-json_t *po_json_flag(bool value) {
-  return json_boolean(value);
-}
-
 json_t *po_json_text(const char *text) {
   if (!text)
     return json_null();

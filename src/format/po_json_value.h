@@ -17,8 +17,6 @@
 json_t *po_json_number(double value);
 
 json_t *po_json_count(uint64_t value);
-json_t *po_json_integer(int value);
-json_t *po_json_flag(bool value);
 
 /* Returned: a text, converted to valid UTF-8 if necessary (po_text_utf8); null for NULL. */
 json_t *po_json_text(const char *text);

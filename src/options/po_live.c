@@ -15,7 +15,8 @@ po_live po_live_begin(bool plain) {
       .is_terminal = isatty(STDERR_FILENO) == 1, .plain = plain, .begin = now, .last = now};
 }
 
-bool po_live_is_due(const po_live *live) {
+/* Returned: whether a line is due. */
+static bool is_due(const po_live *live) {
   if (!live->is_terminal && !live->plain)
     return false;
   const double now = po_clock_wall();
@@ -32,6 +33,8 @@ void po_live_end(po_live *live) {
 void po_live_show(po_live *live, const char *format, ...) {
   char line[120];
   va_list arguments;
+  if (!is_due(live))
+    return;
   va_start(arguments, format);
   vsnprintf(line, sizeof line, format, arguments);
   va_end(arguments);

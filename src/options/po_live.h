@@ -18,10 +18,7 @@ typedef struct {
 /* Begins now. */
 po_live po_live_begin(bool plain);
 
-/* Returned: whether a line is due. */
-bool po_live_is_due(const po_live *live);
-
-/* Shows a line, with the time since the beginning after it. */
+/* Shows a line, with the time since the beginning after it, if one is due. */
 void po_live_show(po_live *live, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Erases the updated line. */

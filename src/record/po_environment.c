@@ -72,8 +72,8 @@ json_t *po_environment_describe(int jobs) {
   strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return PO_JSON_OBJECT({"system", po_json_text(system)}, {"machine", po_json_text(name.machine)},
                         {"processor", po_json_text(processor)},
-                        {"cores", po_json_integer(po_environment_cores())},
-                        {"jobs", po_json_integer(jobs)}, {"date", po_json_text(date)});
+                        {"cores", po_json_count((uint64_t)po_environment_cores())},
+                        {"jobs", po_json_count((uint64_t)jobs)}, {"date", po_json_text(date)});
 }
 
 po_status po_environment_program(char digest[PO_DIGEST_LENGTH]) {

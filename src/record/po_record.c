@@ -79,7 +79,7 @@ static json_t *check_json(const po_case_run *run, const po_check_result *item) {
       {"ratio", po_json_number(item->ratio)},
       {"ledger", po_json_text(po_ledger_name(item->ledger))},
       {"verdict", po_json_text(po_verdict_name(item->verdict))},
-      {"passes", po_json_flag(po_verdict_passes(item->verdict))},
+      {"passes", json_boolean(po_verdict_passes(item->verdict))},
       {"note", po_json_text(item->note)},
       {"reference", po_json_text(po_reference_shown(item->reference))},
       {"because", po_json_text(check->because)}, {"command", command_json("verify", run->plan)});
@@ -172,7 +172,7 @@ static json_t *processes_json(const po_case_run *run) {
                                           {"processor_seconds", po_json_number(p->processor)},
                                           {"first_answer", po_json_number(p->first)},
                                           {"reported_seconds", po_json_number(p->found.reported)},
-                                          {"left_behind", po_json_integer(p->left)}));
+                                          {"left_behind", po_json_count(p->left)}));
   }
   return array;
 }
@@ -190,7 +190,7 @@ static json_t *solver_json(const po_case_run *run) {
       {"knob_value", po_json_text(solver->knob)},
       {"command", po_json_texts(file->command, file->command_count)},
       {"quantities", po_json_texts(file->can.quantities, file->can.quantities_count)},
-      {"unstable", po_json_flag(solver->unstable)}, {"sha256", po_json_text(solver->digest)},
+      {"unstable", json_boolean(solver->unstable)}, {"sha256", po_json_text(solver->digest)},
       {"coverage",
        PO_JSON_OBJECT({"points", po_json_count(c->points)}, {"asked", po_json_count(c->asked)},
                       {"checks", po_json_count(c->checks)}, {"made", po_json_count(c->made)},

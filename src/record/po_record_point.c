@@ -79,7 +79,7 @@ static json_t *timing_json(const po_case_run *run, size_t point) {
     po_json_set(&object, COLUMNS[c].name, array);
   }
   po_json_set(&object, "clock", po_json_text(clock_of(run, point)));
-  po_json_set(&object, "interleaved", po_json_flag(run->points[point].interleaved));
+  po_json_set(&object, "interleaved", json_boolean(run->points[point].interleaved));
   return object;
 }
 
@@ -276,7 +276,7 @@ po_status po_record_entry(const po_case_run *run, size_t index, const char *fold
   char digest[PO_DIGEST_LENGTH];
   *entry = po_record_point(run, index);
   if (judged)
-    po_json_set(entry, "failed", po_json_flag(po_case_run_failed(run, index)));
+    po_json_set(entry, "failed", json_boolean(po_case_run_failed(run, index)));
   po_status status = add_table(run, index, false, folder, entry);
   if (!status)
     status = add_table(run, index, true, folder, entry);

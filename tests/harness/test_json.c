@@ -41,15 +41,15 @@ static json_t *make_document(void) {
                  PO_JSON_OBJECT({"inner", po_json_number(NAN)}, {"outer", po_json_count(7)}));
   json_t *more = PO_JSON_OBJECT({"note", po_json_text("Bl\xE4tter")}, {"name", po_json_text("x")});
   json_t *document = PO_JSON_OBJECT({"name", po_json_text("caf\xC3\xA9")}, {"list", list},
-                                    {"flag", po_json_flag(true)}, {"nothing", po_json_text(NULL)});
-  po_json_set(&document, "count", po_json_integer(-3));
+                                    {"flag", json_boolean(true)}, {"nothing", po_json_text(NULL)});
+  po_json_set(&document, "count", po_json_count(3));
   po_json_set_all(&document, more);
   return document;
 }
 
 static const char EXPECTED[] =
     "{\"name\":\"caf\xC3\xA9\",\"list\":[2.3849999999999998,{\"inner\":null,\"outer\":7}],"
-    "\"flag\":true,\"nothing\":null,\"count\":-3,\"note\":\"Bl\xEF\xBF\xBDtter\"}\n";
+    "\"flag\":true,\"nothing\":null,\"count\":3,\"note\":\"Bl\xEF\xBF\xBDtter\"}\n";
 
 /* Prints the document while allocation number k fails. */
 static po_status print_document(size_t k, po_text *text, size_t *total) {
