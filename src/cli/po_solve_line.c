@@ -37,11 +37,6 @@ static bool is_output(const char *file) {
   return file && strcmp(file, "-") == 0;
 }
 
-int po_solve_line_tables(const po_solve_line *line) {
-  return is_output(line->curve) + is_output(line->profile) + is_output(line->staircase) +
-         is_output(line->smoothed);
-}
-
 po_status po_solve_line_end(po_solve_line *line) {
   po_request *request = &line->request;
   po_given *given = &line->scene.given;
@@ -53,7 +48,9 @@ po_status po_solve_line_end(po_solve_line *line) {
     return status;
   if (!line->warned)
     po_scene_options_warn(given);
-  if (po_solve_line_tables(line) + line->json > 1)
+  line->tables = is_output(line->curve) + is_output(line->profile) + is_output(line->staircase) +
+                 is_output(line->smoothed);
+  if (line->tables + line->json > 1)
     return po_fail(PO_BAD_INPUT, "standard output is asked for twice: expected only one of --json "
                                  "and the file -");
   if (line->smoothed && isnan(request->scene.profile.parameter[PO_TABLE_SMOOTH]))

@@ -14,6 +14,7 @@ typedef struct {
   const char *smoothed;                    /* file of the smoothed profile; NULL: none */
   const char *plot, *run;                  /* figure, and folder of records; NULL: none */
   const char *theory;                      /* the one to be compared; NULL: all */
+  int tables;        /* that are written to standard output: see po_solve_line_end */
   bool json, warned; /* the latter: whether _end need not warn of lengths that look like metres */
 } po_solve_line;
 
@@ -41,9 +42,6 @@ void po_solve_line_add_wants(po_solve_line *line);
 
 /* Completes the request and checks it. */
 po_status po_solve_line_end(po_solve_line *line);
-
-/* The number of tables that are written to standard output. */
-int po_solve_line_tables(const po_solve_line *line);
 
 /* Solves the scene; a solve of more than a second shows its progress on a terminal. Returned: the
  * result, to be cleared whatever the status; its reason is that of a failure. */

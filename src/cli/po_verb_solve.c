@@ -203,7 +203,7 @@ static po_status print_result(const po_solve_line *line, const po_result *result
   if (line->json)
     return po_print_json(&line->request, &line->scene.given, result);
   fflush(stdout);
-  const int output = po_solve_line_tables(line) ? dup(STDOUT_FILENO) : -1;
+  const int output = line->tables ? dup(STDOUT_FILENO) : -1;
   if (output >= 0)
     dup2(STDERR_FILENO, STDOUT_FILENO);
   const po_status status = po_print_text(&line->request, &line->scene.given, result);
