@@ -95,33 +95,25 @@ static po_status follow_all(const po_series_scenes *l, const po_kept_points *f) 
   return status;
 }
 
-/* po_series_folds for requests in the units of their solves. */
-static po_status observe(const po_request *requests, size_t count, po_result *results) {
-  const po_series_scenes l = {requests, results, count};
-  for (size_t k = 0; k < count; ++k)
-    results[k] = po_result_none();
-  for (size_t k = 0; k + 1 < count; ++k)
+static po_status solve(const po_series_scenes *l) {
+  const po_request *requests = l->requests;
+  for (size_t k = 0; k + 1 < l->count; ++k)
     if (!po_series_alike(&requests[k], &requests[k + 1]))
       return po_fail(PO_BAD_INPUT,
                      "folds are not followed from scene %zu to the next: expected both "
                      "wavy or both smooth, both bounded or both unbounded",
                      k + 1);
   po_kept_points f = {.minima = false};
-  po_status status = po_series_trace(&requests[0], &f, &results[0]);
+  po_status status = po_series_trace(&requests[0], &f, &l->results[0]);
   if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)
     status = PO_OK;
   /* the numbers differ for a rigid scene, and for one whose curve begins after the first fold */
-  if (!status && !results[0].status && f.count == results[0].fold_count)
-    status = follow_all(&l, &f);
+  if (!status && !l->results[0].status && f.count == l->results[0].fold_count)
+    status = follow_all(l, &f);
   po_kept_points_clear(&f);
   return status;
 }
 
 po_status po_series_folds(const po_request *requests, size_t count, po_result *results) {
-  po_request *solved = po_series_requests(requests, count);
-  if (!solved)
-    return PO_NO_MEMORY;
-  const po_status status = observe(solved, count, results);
-  po_series_finish(solved, count, results);
-  return status;
+  return po_series_solve((po_series_scenes){requests, results, count, 0}, solve);
 }

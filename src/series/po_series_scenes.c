@@ -43,17 +43,20 @@ static void scene_at(void *data, double at, po_scene *scene) {
                            between(a->law.parameter[p], b->law.parameter[p], part));
 }
 
-po_request *po_series_requests(const po_request *requests, size_t count) {
-  po_request *solved = po_allocate(count + 1, sizeof *solved);
-  for (size_t k = 0; solved && k < count; ++k)
-    solved[k] = po_load_unit_request(&requests[k]);
-  return solved;
-}
-
-void po_series_finish(po_request *solved, size_t count, po_result *results) {
-  for (size_t k = 0; k < count; ++k)
-    po_load_unit_result(&solved[k].scene, &results[k]);
+po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_series_scenes *l)) {
+  po_request *solved = po_allocate(scenes.count + 1, sizeof *solved);
+  for (size_t k = 0; k < scenes.count; ++k)
+    scenes.results[k] = po_result_none();
+  if (!solved)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < scenes.count; ++k)
+    solved[k] = po_load_unit_request(&scenes.requests[k]);
+  scenes.requests = solved;
+  const po_status status = solve(&scenes);
+  for (size_t k = 0; k < scenes.count; ++k)
+    po_load_unit_result(&solved[k].scene, &scenes.results[k]);
   free(solved);
+  return status;
 }
 
 static void free_points(po_kept_points *kept) {

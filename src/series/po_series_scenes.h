@@ -9,10 +9,16 @@
 /* The continuation parameter of a scene is its index in the series; non-integer values interpolate
  * between scenes. */
 typedef struct {
-  const po_request *requests;
+  const po_request *requests; /* in the units of their solves (po_load_unit.h) */
   po_result *results;
   size_t count;
+  size_t checkpoint_every; /* see po_series_observe */
 } po_series_scenes;
+
+/* Solves scenes in the units of their solves and converts the results. Given: scenes with the
+ * requests as they were given, and `solve`, which finds empty results. Status: PO_NO_MEMORY, and
+ * that of `solve`. */
+po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_series_scenes *l));
 
 /* A special point of a trace on its panels. */
 typedef struct {
@@ -33,11 +39,6 @@ typedef struct {
  * kept, empty but for `minima`. Status: as po_observe_kept. */
 po_status po_series_trace(const po_request *request, po_kept_points *kept, po_result *result);
 void po_kept_points_clear(po_kept_points *kept);
-
-/* The requests in the units of their solves (po_load_unit.h), to be given to po_series_finish,
- * which converts the results and frees them; NULL if memory runs out. */
-po_request *po_series_requests(const po_request *requests, size_t count);
-void po_series_finish(po_request *solved, size_t count, po_result *results);
 
 /* Returned: whether minima and folds can be followed between two scenes: only numbers of the scene
  * differ, and only the pull-off is wanted. */
@@ -62,23 +63,5 @@ typedef struct {
 /* Adds the work since the last call. Given: seconds, its elapsed time. */
 void po_series_add_work(const po_follower *follower, double seconds, po_series_work *before,
                         po_work *work);
-
-/* -- The minima of the load between two checkpoints (po_series.h), po_series_minima.c -- */
-
-/* A scene of a series that is traced completely, with the minima of its load. */
-typedef struct {
-  size_t index;        /* index of its scene in the series */
-  bool usable;         /* whether the minima can be followed: the scene was solved, on panels */
-  double deepest;      /* load of the pull-off, pi w R */
-  po_kept_points kept; /* all minima of the trace, in the order of their depth */
-  size_t candidates; /* the number of minima, the deepest ones, that may be the pull-off of a scene
-                        before the next checkpoint */
-} po_checkpoint;
-
-/* Given: two checkpoints with scenes between them. Returned: *settled, whether the followed minima
- * agree with both traces; then the results of the scenes between have their pull-off. Status:
- * PO_NO_MEMORY, PO_INTERRUPTED. */
-po_status po_series_follow_minima(const po_series_scenes *scenes, const po_checkpoint *from,
-                                  const po_checkpoint *to, bool *settled);
 
 #endif
