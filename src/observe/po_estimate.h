@@ -5,7 +5,6 @@
 
 #include "po_branch_point.h"
 #include "po_contact.h"
-#include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
 
@@ -28,13 +27,10 @@ po_estimate po_estimate_of(const po_request *request, double domain, const po_br
  * loading and unloading. */
 double po_estimate_miss(const po_request *request);
 
-/* Bounds of errors that follow from the greatest errors of the special points of the trace
- * (`greatest`, the traced ones). The first: of the energy lost in jumps. */
-double po_estimate_loss_error(const po_request *request, const po_estimate *greatest,
-                              po_control control, const po_loss *loss);
-
-/* Sets the errors of a loop along a path. */
-void po_estimate_loop(const po_request *request, const po_path *path, const po_estimate *greatest,
-                      po_loop *loop);
+/* An estimated bound of the error of the energy of any point of a branch at its approach, pi w R
+ * eps; NAN for rings and triangles. Given: domain as above, and the precision of Newton's method
+ * (panels only). */
+double po_energy_error(const po_scene *scene, double domain, double precision,
+                       const po_branch_point *point);
 
 #endif

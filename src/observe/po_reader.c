@@ -6,7 +6,6 @@
 
 #include "po_adjoint.h"
 #include "po_contact.h"
-#include "po_energy_error.h"
 #include "po_hermite.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"

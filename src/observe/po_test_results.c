@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "po_loop.h"
+#include "po_observe_parts.h"
 #include "po_reader.h"
 #include "po_staircase.h"
 
@@ -56,6 +57,26 @@ static po_path_error state_of_special_point(const po_request *request, const po_
   return (po_path_error){e.approach + miss, e.load + miss};
 }
 
+/* Factor of the difference of energies by interpolation where a jump ends in the error of an energy
+ * lost. */
+static const double OF_INTERPOLATED = 3.0;
+
+/* Bound of the error of the energy lost in jumps, from the greatest errors of the special points of
+ * the trace, the traced ones. */
+static double loss_error(const po_request *request, const po_estimate *greatest, po_control control,
+                         const po_loss *loss) {
+  /* A spring jumps between the special points, at a place of the cubics. */
+  const bool inside = control != PO_LOAD_CONTROL && isfinite(control);
+  const double miss = inside ? po_estimate_miss(request) : 0.0;
+  const double place =
+      po_held(control, greatest->traced_approach_error + miss, greatest->traced_load_error + miss);
+  const double precision = po_observe_precision(request->mesh.tolerance);
+  if (isnan(loss->energy)) /* unbounded */
+    return NAN;
+  return loss->moved * place + OF_INTERPOLATED * loss->doubt.interpolated + loss->doubt.of_points +
+         precision * loss->size + (double)loss->jumps * greatest->traced_energy_error;
+}
+
 static void state_errors(const po_request *request, const po_result *o, const po_estimate *greatest,
                          po_staircase *s) {
   for (size_t k = 0; k < s->count; ++k) {
@@ -68,7 +89,7 @@ static void state_errors(const po_request *request, const po_result *o, const po
     for (size_t c = 0; c < step->cycle_count; ++c) {
       po_cycle *cycle = &step->cycle[c];
       state_of_special_point(request, o, &cycle->preload);
-      cycle->energy_error = po_estimate_loss_error(request, greatest, s->control, &cycle->loss);
+      cycle->energy_error = loss_error(request, greatest, s->control, &cycle->loss);
     }
   }
 }
@@ -154,10 +175,35 @@ static po_status read_pressed(const po_request *request, const po_path *path,
   return PO_OK;
 }
 
-/* The errors of a loop, and its pull-off as it was located. */
+/* The greatest error of the energies of the points of the path beside a state. */
+static double energy_error_at(const po_path *path, const po_path_state *state) {
+  size_t k = 0;
+  if (!isfinite(state->position))
+    return 0.0; /* separated */
+  while (k + 2 < path->count && path->point[k + 1].position <= state->position)
+    ++k;
+  return fmax(path->point[k].energy_error, path->point[k + 1].energy_error);
+}
+
+/* The errors of a loop, and its pull-off as it was located. The work of a closed loop is the energy
+ * that its jumps lose, computed by another way. */
 static void read_loop(const po_reader *reader, const po_path *path, po_loop *loop) {
-  po_estimate_loop(reader->request, path, &reader->special.greatest, loop);
-  loop->pull_off_error = state_of_special_point(reader->request, reader->result, &loop->pull_off);
+  const po_request *request = reader->request;
+  const po_estimate *greatest = &reader->special.greatest;
+  po_loss all = {0};
+  double energy = energy_error_at(path, &loop->preload);
+  for (size_t k = 0; k < loop->jump_count; ++k) {
+    po_jump *jump = &loop->jumps[k];
+    const po_loss loss = po_loss_of_jump(loop->control, &jump->before, &jump->after, jump->doubt);
+    jump->energy_lost_error = loss_error(request, greatest, loop->control, &loss);
+    all = po_loss_sum(all, loss);
+    energy = fmax(energy, energy_error_at(path, &jump->before));
+    energy = fmax(energy, energy_error_at(path, &jump->after));
+  }
+  loop->energy_lost_error = loss_error(request, greatest, loop->control, &all);
+  loop->work_error = loop->energy_lost_error + fabs(loop->work - loop->energy_lost);
+  loop->energy_error = energy + OF_INTERPOLATED * loop->interpolated;
+  loop->pull_off_error = state_of_special_point(request, reader->result, &loop->pull_off);
 }
 
 /* The least approach that loading and unloading along the branch may reach: that of the branch, and
