@@ -85,7 +85,7 @@ static po_status curve_of(const po_scene *scene, jkr_curve *c, po_contact *least
 
 typedef struct {
   const jkr_curve *curve;
-  po_path_point *point;
+  po_curve_point *point;
   size_t count, room;
   double node[RULE], weight[RULE];
   double energy, last; /* the energy at position `last` */
@@ -115,10 +115,10 @@ static double radius_rate(const jkr_curve *c, double a) {
   return a > c->kink ? sqrt((a - c->kink) * (a + c->kink)) / a : 1.0;
 }
 
-static po_status append(builder *b, po_path_point point) {
+static po_status append(builder *b, po_curve_point point) {
   if (b->count == b->curve->most)
     return po_fail(PO_TOO_MANY_POINTS, "the JKR curve has more than %zu points", b->curve->most);
-  po_path_point *moved = po_grow(b->point, b->count, &b->room, sizeof *moved);
+  po_curve_point *moved = po_grow(b->point, b->count, &b->room, sizeof *moved);
   if (!moved)
     return PO_NO_MEMORY;
   b->point = moved;
@@ -139,13 +139,13 @@ static po_status append_contact(builder *b, double a) {
   b->last = position;
   const po_contact c = curve->at(curve->scene, a);
   const double rate = radius_rate(curve, a);
-  return append(b, (po_path_point){.approach = c.approach,
-                                   .load = c.load,
-                                   .energy = b->energy,
-                                   .approach_rate = approach_rate(a, curve) * rate,
-                                   .load_rate = load_rate(a, curve) * rate,
-                                   .contact_radius = a,
-                                   .position = position});
+  return append(b, (po_curve_point){.approach = c.approach,
+                                    .load = c.load,
+                                    .energy = b->energy,
+                                    .approach_rate = approach_rate(a, curve) * rate,
+                                    .load_rate = load_rate(a, curve) * rate,
+                                    .contact_radius = a,
+                                    .position = position});
 }
 
 /* The part of the radius of a kink beside it at which the rates on its right are taken. */
@@ -155,7 +155,7 @@ static const double BESIDE = 1e-14;
 static po_status append_corner(builder *b) {
   const jkr_curve *c = b->curve;
   const double beside = c->kink * (1.0 + BESIDE), rate = radius_rate(c, beside);
-  po_path_point point = b->point[b->count - 1];
+  po_curve_point point = b->point[b->count - 1];
   point.approach_rate = approach_rate(beside, c) * rate;
   point.load_rate = load_rate(beside, c) * rate;
   return append(b, point);
@@ -183,9 +183,10 @@ static po_status append_up_to(builder *b, double left, double right) {
  * the approach increases with the contact radius. A corner is two points. */
 static void mark_points(builder *b) {
   for (size_t k = 0; k + 1 < b->count; ++k) {
-    po_path_point *p = &b->point[k];
+    po_curve_point *p = &b->point[k];
     p->unstable_modes = p[1].approach <= p->approach;
-    const po_path_point *next = p[1].position == b->curve->kink && k + 2 < b->count ? p + 2 : p + 1;
+    const po_curve_point *next =
+        p[1].position == b->curve->kink && k + 2 < b->count ? p + 2 : p + 1;
     p->minimum = k > 0 && p->load < p[-1].load && p->load < next->load;
   }
 }
@@ -194,11 +195,11 @@ static po_status build(builder *b, double end) {
   const jkr_curve *c = b->curve;
   po_status status = po_gauss_rule(RULE, b->node, b->weight);
   if (!status) /* the separated bodies; the approach is set below */
-    status = append(b, (po_path_point){.position = -1.0});
+    status = append(b, (po_curve_point){.position = -1.0});
   if (!status)
-    status = append(b, (po_path_point){.position = 0.0});
+    status = append(b, (po_curve_point){.position = 0.0});
   if (!status) /* the first contact again, with the derivatives for positions above 0 */
-    status = append(b, (po_path_point){.approach_rate = -1.0});
+    status = append(b, (po_curve_point){.approach_rate = -1.0});
   double left = c->first;
   if (!status)
     status = append_contact(b, left);
@@ -227,7 +228,8 @@ static po_status build(builder *b, double end) {
  * edge b of the profile it is b + sqrt(a^2 - b^2). A corner is two points at one position. The
  * curve begins farther out than every jump. Returned: *point, *count points, to be freed. Accuracy:
  * special points to rounding, energies to 1e-12. */
-static po_status path_of(const jkr_curve *curve, double end, po_path_point **point, size_t *count) {
+static po_status path_of(const jkr_curve *curve, double end, po_curve_point **point,
+                         size_t *count) {
   builder b = {.curve = curve};
   const po_status status = build(&b, end);
   if (status)
@@ -248,7 +250,7 @@ static bool reach_load(const po_staircases *staircases, double load) {
 }
 
 po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_staircases *staircases) {
-  po_path_point *point = NULL;
+  po_curve_point *point = NULL;
   po_path path = {NULL, 0};
   *staircases = (po_staircases){.has_spring = false};
   jkr_curve curve;
@@ -287,7 +289,7 @@ po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, po
     end += po_initial_gap_radius(scene, preload.approach);
   status = PO_NOT_FOUND;
   for (int k = 0; k < MOST_LENGTHS && status == PO_NOT_FOUND; ++k, end *= LONGER) {
-    po_path_point *point = NULL;
+    po_curve_point *point = NULL;
     po_path path = {NULL, 0};
     status = path_of(&curve, end, &point, &path.count);
     path.point = point;

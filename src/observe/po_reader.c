@@ -99,7 +99,7 @@ static void show_profile(po_reader *r, const po_branch_point *p) {
   size_t count = 0;
   keep_status(r, po_contact_profile_fill(&r->request->scene, r->surface, p, &profile, &count));
   if (!r->status)
-    r->request->show(r->request->watcher, r->result->curve_count - 1, profile, count);
+    r->request->show(r->request->watcher, r->points.count - r->points.before - 1, profile, count);
   free(profile);
 }
 
@@ -134,46 +134,36 @@ po_reader po_reader_begin(const po_request *request, po_result *result, double d
                      .stopping = po_stopping_begin(request)};
 }
 
-/* Appends a point to the path, or to the curve of the result. Given: contact radius, eps. Status:
- * PO_NO_MEMORY. */
-static po_status add_to_path(po_trace_points *points, const po_branch_point *p,
+/* Appends a point to the path. Given: contact radius, eps. Status: PO_NO_MEMORY. */
+static po_status add_to_path(po_trace_points *points, const po_branch_point *p, double stiffness,
                              double contact_radius, double energy_error) {
-  po_path_point *path = po_grow(points->path, points->path_count, &points->path_room, sizeof *path);
+  po_curve_point *path = po_grow(points->path, points->count, &points->room, sizeof *path);
   if (!path)
     return PO_NO_MEMORY;
   points->path = path;
-  path[points->path_count++] = (po_path_point){.approach = p->approach,
-                                               .load = p->load,
-                                               .energy = p->energy,
-                                               .energy_error = energy_error,
-                                               .approach_rate = p->approach_rate,
-                                               .load_rate = p->load_rate,
-                                               .contact_radius = contact_radius,
-                                               .position = p->position,
-                                               .unstable_modes = p->unstable_modes,
-                                               .minimum = p->kind == PO_POINT_LOAD_MIN};
+  path[points->count++] = (po_curve_point){.position = p->position,
+                                           .approach = p->approach,
+                                           .load = p->load,
+                                           .energy = p->energy,
+                                           .energy_error = energy_error,
+                                           .contact_radius = contact_radius,
+                                           .approach_rate = p->approach_rate,
+                                           .load_rate = p->load_rate,
+                                           .unstable_modes = p->unstable_modes,
+                                           .has_base = !isnan(stiffness),
+                                           .base_modes = modes_at_base(stiffness, p),
+                                           .minimum = p->kind == PO_POINT_LOAD_MIN};
   return PO_OK;
 }
 
-static po_status add_to_curve(po_trace_points *points, const po_branch_point *p, double stiffness,
-                              double contact_radius, double energy_error, po_result *result) {
-  po_curve_point *curve =
-      po_grow(result->curve, result->curve_count, &points->curve_room, sizeof *curve);
-  if (!curve)
-    return PO_NO_MEMORY;
-  result->curve = curve;
-  curve[result->curve_count++] = (po_curve_point){.position = p->position,
-                                                  .approach = p->approach,
-                                                  .load = p->load,
-                                                  .energy = p->energy,
-                                                  .energy_error = energy_error,
-                                                  .contact_radius = contact_radius,
-                                                  .approach_rate = p->approach_rate,
-                                                  .load_rate = p->load_rate,
-                                                  .unstable_modes = p->unstable_modes,
-                                                  .has_base = !isnan(stiffness),
-                                                  .base_modes = modes_at_base(stiffness, p)};
-  return PO_OK;
+/* Makes the path the curve of the result. */
+static void give_curve(po_trace_points *points, po_result *o) {
+  o->curve_count = points->count - points->before;
+  if (o->curve_count == 0)
+    return;
+  memmove(points->path, points->path + points->before, o->curve_count * sizeof *points->path);
+  o->curve = points->path;
+  points->path = NULL;
 }
 
 /* The largest difference relative to the range of the energy; NAN for fewer than two points. */
@@ -185,6 +175,8 @@ static double balance_defect(const po_balance *balance) {
 void po_reader_end(po_reader *reader) {
   reader->result->diagnostics.energy_defect = balance_defect(&reader->balance);
   reader->result->diagnostics.energy_defect_at = reader->balance.at;
+  if (reader->request->want & PO_WANT_CURVE)
+    give_curve(&reader->points, reader->result);
   free(reader->points.path);
   po_kept_clear(&reader->kept);
   po_passage_clear(&reader->out);
@@ -336,10 +328,12 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   }
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
   const double contact_radius = po_contact_radius(&gap);
-  const double energy_error = energy_error_of(r, p);
-  keep_status(r, add_to_path(&r->points, p, contact_radius, energy_error));
-  if (!r->begun && !(p->approach >= r->begin))
+  keep_status(
+      r, add_to_path(&r->points, p, r->request->stiffness, contact_radius, energy_error_of(r, p)));
+  if (!r->begun && !(p->approach >= r->begin)) {
+    r->points.before = r->points.count;
     return false;
+  }
   if (isnan(o->start))
     o->start = p->approach;
   r->begun = true;
@@ -347,10 +341,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   o->ended.load = p->load;
   if (r->surface && r->surface->n > r->most_nodes)
     r->most_nodes = r->surface->n;
-  if (r->request->want & PO_WANT_CURVE)
-    keep_status(
-        r, add_to_curve(&r->points, p, r->request->stiffness, contact_radius, energy_error, o));
-  if (r->request->show && o->curve_count && !r->status)
+  if (r->request->show && r->request->want & PO_WANT_CURVE && !r->status)
     show_profile(r, p);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       po_path_is_at(p->approach, r->request->profile_approach))

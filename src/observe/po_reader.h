@@ -22,10 +22,10 @@ typedef struct {
 } po_special_list;
 
 /* The points of a trace: all of them as the path from which loading, unloading and staircases are
- * computed, and the size of the curve of the result. */
+ * computed. The curve of the result is without the first ones, which are not recorded. */
 typedef struct {
-  po_path_point *path; /* owned */
-  size_t path_count, path_room, curve_room;
+  po_curve_point *path; /* owned */
+  size_t count, room, before;
 } po_trace_points;
 
 /* The energy balance dU = W d(approach) along a branch. It is violated if a state belongs to

@@ -132,7 +132,7 @@ static double pull_off_position(const po_result *o) {
  * to which only a harder preload may lead. At a special point it is the stated load: that of the
  * points of the branch has the error of the mesh of the trace, which may exceed the stated one. */
 static double deepest_stable(const po_path *path, const po_result *o) {
-  const po_path_point *deepest = NULL;
+  const po_curve_point *deepest = NULL;
   for (size_t k = 0; k < path->count; ++k)
     if (po_stable_is(path, PO_DISPLACEMENT_CONTROL, k) &&
         (!deepest || path->point[k].load < deepest->load))
@@ -210,7 +210,7 @@ static void read_loop(const po_reader *reader, const po_path *path, po_loop *loo
  * through a spring the least position of the base, at which the bodies are apart, unless it is
  * beyond FARTHEST. A spring that is unstable where the branch begins jumps farther out. */
 static double least_approach(const po_path *path, double stiffness) {
-  const po_path_point *p = path->point;
+  const po_curve_point *p = path->point;
   double least = INFINITY, base = INFINITY; /* NAN without a spring, which fmin ignores */
   for (size_t k = 0; k < path->count; ++k) {
     least = fmin(least, p[k].approach);

@@ -206,7 +206,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
         request->preload.load * po_scene_load_unit(&request->scene));
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
-  const po_path path = {reader.points.path, reader.points.path_count};
+  const po_path path = {reader.points.path, reader.points.count};
   if (!status)
     status = po_test_results(&reader, &path, &a->begin);
 done:

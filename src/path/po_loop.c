@@ -55,7 +55,7 @@ static void move(loop_state *f, double fraction) {
  * *fraction is where. */
 static bool meets_preload(const loop_state *f, double *fraction) {
   const po_path_state here = state_of(f);
-  const po_path_point *end = &f->path->point[f->at.index + 1];
+  const po_curve_point *end = &f->path->point[f->at.index + 1];
   const po_preload p = f->preload;
   bool met = false;
   *fraction = 1.0;
@@ -127,7 +127,7 @@ static void note_tension(loop_state *f) {
 /* The last jump, to a state before the curve begins. Through a spring the bodies are then as good
  * as apart. */
 static po_status separate(loop_state *f, po_path_state before, double value) {
-  const po_path_point *first = &f->path->point[0];
+  const po_curve_point *first = &f->path->point[0];
   if (f->control == PO_DISPLACEMENT_CONTROL)
     return po_fail(PO_NOT_FOUND,
                    "the curve begins at approach %.6g and has no equilibrium after the jump at "
@@ -167,7 +167,7 @@ po_status po_loop_follow(const po_path *path, po_control control, po_preload pre
                     .work_error = NAN,
                     .energy_error = NAN};
   loop_state f = {.path = path, .control = control, .preload = preload, .loop = loop};
-  po_path_point *points = NULL;
+  po_curve_point *points = NULL;
   po_path held = *path;
   f.path = &held;
   po_status status =

@@ -21,7 +21,7 @@ bool po_path_reaches(double approach, double asked) {
 typedef po_cubic_ends cubic; /* one quantity as a function of the fraction of a segment */
 
 static void cubics(const po_path *path, size_t index, cubic *approach, cubic *load) {
-  const po_path_point *a = &path->point[index], *b = a + 1;
+  const po_curve_point *a = &path->point[index], *b = a + 1;
   const double length = b->position - a->position;
   *approach =
       (cubic){a->approach, length * a->approach_rate, b->approach, length * b->approach_rate};
@@ -33,7 +33,7 @@ static double value(const cubic *c, double fraction) {
 }
 
 po_path_state po_path_at(const po_path *path, po_path_place place) {
-  const po_path_point *a = &path->point[place.index], *b = a + 1;
+  const po_curve_point *a = &path->point[place.index], *b = a + 1;
   const double t = place.fraction;
   if (t == 0.0)
     return (po_path_state){a->approach, a->load, a->energy, a->contact_radius, a->position};
@@ -49,7 +49,7 @@ po_path_state po_path_at(const po_path *path, po_path_place place) {
 }
 
 po_path_doubt po_path_doubt_at(const po_path *path, po_path_place place) {
-  const po_path_point *a = &path->point[place.index], *b = a + 1;
+  const po_curve_point *a = &path->point[place.index], *b = a + 1;
   if (place.fraction == 0.0)
     return (po_path_doubt){0.0, a->energy_error};
   const double energy = po_path_at(path, place).energy;
@@ -117,27 +117,27 @@ static size_t extrema_of(const cubic *c, double fraction[2]) {
 }
 
 /* The point of the curve at a place inside a segment. */
-static po_path_point point_at(const po_path *path, po_path_place place) {
-  const po_path_point *a = &path->point[place.index], *b = a + 1;
+static po_curve_point point_at(const po_path *path, po_path_place place) {
+  const po_curve_point *a = &path->point[place.index], *b = a + 1;
   const double length = b->position - a->position, t = place.fraction;
   const po_path_state s = po_path_at(path, place);
   const po_path_doubt doubt = po_path_doubt_at(path, place);
   cubic approach, load;
   cubics(path, place.index, &approach, &load);
-  return (po_path_point){
-      s.approach,
-      s.load,
-      s.energy,
-      doubt.interpolated + doubt.of_points,
-      s.contact_radius,
-      s.position,
-      po_hermite_rate(approach.f0, approach.d0, approach.f1, approach.d1, t, 1.0) / length,
-      po_hermite_rate(load.f0, load.d0, load.f1, load.d1, t, 1.0) / length,
-      a->unstable_modes,
-      false};
+  return (po_curve_point){
+      .position = s.position,
+      .approach = s.approach,
+      .load = s.load,
+      .energy = s.energy,
+      .energy_error = doubt.interpolated + doubt.of_points,
+      .contact_radius = s.contact_radius,
+      .approach_rate =
+          po_hermite_rate(approach.f0, approach.d0, approach.f1, approach.d1, t, 1.0) / length,
+      .load_rate = po_hermite_rate(load.f0, load.d0, load.f1, load.d1, t, 1.0) / length,
+      .unstable_modes = a->unstable_modes};
 }
 
-po_status po_path_add_extrema(po_path *path, po_control control, po_path_point **point) {
+po_status po_path_add_extrema(po_path *path, po_control control, po_curve_point **point) {
   size_t count = 0;
   *point = NULL;
   if (!po_is_spring(control))
@@ -164,7 +164,7 @@ double po_stable_controlled(const po_path *path, po_control control, size_t poin
 }
 
 bool po_stable_is(const po_path *path, po_control control, size_t point) {
-  const po_path_point *p = &path->point[point];
+  const po_curve_point *p = &path->point[point];
   return point + 1 < path->count && p->unstable_modes == 0 && p[1].approach > p->approach &&
          po_stable_controlled(path, control, point + 1) >
              po_stable_controlled(path, control, point);
@@ -222,7 +222,7 @@ po_loss po_loss_of_jump(po_control control, const po_path_state *before, const p
 po_path_doubt po_doubt_of_jump(const po_path *path, po_control control, size_t from,
                                const po_path_place *to) {
   po_path_doubt doubt = to ? po_path_doubt_at(path, *to) : (po_path_doubt){0.0, 0.0};
-  const po_path_point *first = &path->point[0];
+  const po_curve_point *first = &path->point[0];
   if (!po_is_spring(control))
     return doubt;
   doubt.of_points += path->point[from].energy_error;

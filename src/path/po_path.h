@@ -8,25 +8,15 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "po_loops.h"
+#include "po_result.h"
 #include "po_status.h"
 
-/* A point of the curve. The folds and the extrema of the load must be points, so that approach and
- * load are monotonic between neighbouring points. */
+/* The folds and the extrema of the load must be points, so that approach and load are monotonic
+ * between neighbouring points. `position` increases along the curve: arclength, or another
+ * parameter. The number of unstable modes is that of the equilibria just after the point, at fixed
+ * approach; the members of the spring are not used. */
 typedef struct {
-  double approach, load;           /* Delta/eps, W/(pi w R) */
-  double energy;                   /* U/(pi w R eps); d energy = load d approach */
-  double energy_error;             /* estimated bound of its error at this approach; NAN: unknown */
-  double contact_radius;           /* eps */
-  double position;                 /* increases along the curve: arclength, or another parameter */
-  double approach_rate, load_rate; /* derivatives by the position */
-  int unstable_modes; /* number of unstable modes, at fixed approach, of the equilibria just after
-                         the point */
-  bool minimum;       /* whether the load has a local minimum at the point */
-} po_path_point;
-
-typedef struct {
-  const po_path_point *point;
+  const po_curve_point *point;
   size_t count;
 } po_path;
 
@@ -63,7 +53,7 @@ double po_stable_controlled(const po_path *path, po_control control, size_t poin
 /* Gives a curve further points where the position of the base has an extremum between two points:
  * a spring jumps there. Returned: all points, to be freed with free(); NULL: there is no spring,
  * and the curve stays. Status: PO_NO_MEMORY. */
-po_status po_path_add_extrema(po_path *path, po_control control, po_path_point **point);
+po_status po_path_add_extrema(po_path *path, po_control control, po_curve_point **point);
 
 /* Returned: whether the segment from a point to the next is stable: there are no unstable modes at
  * fixed approach, and approach and held quantity increase. At a fixed base one more mode is

@@ -166,7 +166,7 @@ static po_status load_along(walk *w, const stretch *s, po_path_place from) {
   po_path_state last = state(w, from);
   for (size_t k = from.index + 1; k <= s->end; ++k) {
     const po_path_state here = point(w, k);
-    const po_path_point *p = &w->path->point[k];
+    const po_curve_point *p = &w->path->point[k];
     if (p->minimum ? w->decreasing || here.load < w->deepest.load
                    : p->load_rate < 0.0 && here.load < w->deepest.load) {
       if (!w->decreasing)
@@ -230,7 +230,7 @@ po_status po_staircase_read(const po_path *path, po_control control, po_staircas
   if (path->count < 2)
     return PO_OK;
   po_path held = *path;
-  po_path_point *points;
+  po_curve_point *points;
   walk w = {.path = &held, .control = control, .staircase = staircase};
   po_status status = po_path_add_extrema(&held, control, &points);
   if (!status)

@@ -53,6 +53,7 @@ typedef struct {
   int unstable_modes;              /* 0: stable at given approach */
   bool has_base;                   /* whether there is a spring */
   int base_modes;                  /* the same at a given base of the spring */
+  bool minimum;                    /* whether the load has a local minimum here */
 } po_curve_point;
 
 typedef struct {

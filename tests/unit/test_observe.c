@@ -52,18 +52,11 @@ END_TEST
 
 /* The load where a curve first reaches an approach, from the cubic between two of its points. */
 static double load_where(const po_result *o, double approach) {
-  po_path_point two[2];
   for (size_t k = 0; k + 1 < o->curve_count; ++k) {
     if (!(o->curve[k].approach < approach && approach <= o->curve[k + 1].approach))
       continue;
-    for (size_t i = 0; i < 2; ++i)
-      two[i] = (po_path_point){.approach = o->curve[k + i].approach,
-                               .load = o->curve[k + i].load,
-                               .position = o->curve[k + i].position,
-                               .approach_rate = o->curve[k + i].approach_rate,
-                               .load_rate = o->curve[k + i].load_rate};
-    const po_path path = {two, 2};
-    return po_path_at(&path, po_path_where(&path, 0, PO_DISPLACEMENT_CONTROL, approach)).load;
+    const po_path path = {o->curve, o->curve_count};
+    return po_path_at(&path, po_path_where(&path, k, PO_DISPLACEMENT_CONTROL, approach)).load;
   }
   return (double)NAN;
 }

@@ -17,20 +17,20 @@ typedef struct {
 
 enum { MOST = 16 };
 
-static po_path path_of(const synthetic *list, size_t count, po_path_point point[MOST]) {
+static po_path path_of(const synthetic *list, size_t count, po_curve_point point[MOST]) {
   const double small =
       1e-3; /* slopes relative to the secants, so that the curve is near the secants */
   for (size_t k = 0; k < count; ++k) {
     const double before = k > 0 ? list[k].load - list[k - 1].load : 0.0;
     const double after = k + 1 < count ? list[k + 1].load - list[k].load : before;
     const bool minimum = before < 0.0 && after > 0.0;
-    point[k] = (po_path_point){.approach = list[k].approach,
-                               .load = list[k].load,
-                               .energy = -(double)(k * k),
-                               .position = (double)k,
-                               .load_rate = minimum ? 0.0 : small * after,
-                               .unstable_modes = list[k].modes,
-                               .minimum = minimum};
+    point[k] = (po_curve_point){.approach = list[k].approach,
+                                .load = list[k].load,
+                                .energy = -(double)(k * k),
+                                .position = (double)k,
+                                .load_rate = minimum ? 0.0 : small * after,
+                                .unstable_modes = list[k].modes,
+                                .minimum = minimum};
   }
   return (po_path){point, count};
 }
@@ -39,7 +39,7 @@ static po_path path_of(const synthetic *list, size_t count, po_path_point point[
  * is no jump. For preloads between the steps the greatest tension is that at the reversal. */
 START_TEST(minima_on_the_loading_path_are_steps) {
   static const synthetic CURVE[] = {{0, 0, 0}, {1, -1, 0}, {2, -0.5, 0}, {3, -2, 0}, {4, 1, 0}};
-  po_path_point point[MOST];
+  po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 5, point);
   po_staircase s;
   ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
@@ -68,7 +68,7 @@ END_TEST
 START_TEST(a_harder_preload_may_give_a_smaller_force) {
   static const synthetic CURVE[] = {{-2, 0, 0}, {2, -1, 1},    {0.5, -2, 0}, {1, -3, 0},
                                     {5, 2, 1},  {-1, -0.5, 0}, {1.5, 0, 0},  {9, 9, 0}};
-  po_path_point point[MOST];
+  po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 8, point);
   po_staircase s;
   ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
@@ -98,7 +98,7 @@ END_TEST
 START_TEST(a_step_begins_at_the_minimum_itself) {
   static const synthetic CURVE[] = {
       {0, 0, 0}, {1, -1.00001, 0}, {1.1, -1, 0}, {1.2, -1.00001, 0}, {4, 1, 0}};
-  po_path_point point[MOST];
+  po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 5, point);
   po_staircase s;
   for (size_t k = 0; k < 5; ++k) {
@@ -115,7 +115,7 @@ END_TEST
 
 START_TEST(a_curve_without_minima_has_no_steps) {
   static const synthetic CURVE[] = {{0, -0.1, 0}, {1, -1, 0}, {2, -2, 0}};
-  po_path_point point[MOST];
+  po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 3, point), none = {point, 0};
   po_staircase s;
   ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
