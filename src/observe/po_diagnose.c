@@ -132,31 +132,23 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
  * points of the forward trace in the opposite order. Its steps and meshes are different, so that a
  * difference shows that one of the traces passed over a fold or changed to another branch. */
 
-static bool is_fold(po_point_kind kind) {
-  return kind == PO_POINT_APPROACH_MAX || kind == PO_POINT_APPROACH_MIN;
+static bool is_fold(const po_special_point *point) {
+  return point->kind == PO_JUMP_IN || point->kind == PO_JUMP_OUT;
 }
 
-static bool is_special_point(po_point_kind kind) {
-  return kind != PO_POINT_STEP && kind != PO_POINT_STATION;
-}
-
-po_status po_passage_note(po_passage *passage, const po_branch_point *p, double approach_error,
-                          double load_error, bool back) {
+po_status po_passage_note(po_passage *passage, const po_special_point *point, int modes,
+                          bool back) {
   const int before = passage->modes;
-  passage->modes = p->unstable_modes;
+  passage->modes = modes;
   ++passage->points;
-  if (!is_special_point(p->kind))
+  if (!point)
     return PO_OK;
-  po_passed *list = po_grow(passage->list, passage->count, &passage->room, sizeof *list);
+  po_special_point *list = po_grow(passage->list, passage->count, &passage->room, sizeof *list);
   if (!list)
     return PO_NO_MEMORY;
   passage->list = list;
-  list[passage->count++] = (po_passed){.kind = p->kind,
-                                       .approach = p->approach + p->approach_correction,
-                                       .load = p->load + p->load_correction,
-                                       .approach_error = approach_error,
-                                       .load_error = load_error,
-                                       .modes = back ? before : p->unstable_modes};
+  list[passage->count] = *point;
+  list[passage->count++].unstable_modes = back ? before : modes;
   return PO_OK;
 }
 
@@ -165,14 +157,14 @@ void po_passage_clear(po_passage *passage) {
   *passage = (po_passage){0};
 }
 
-static void compare_special_point(const po_passed *out, const po_passed *back,
+static void compare_special_point(const po_special_point *out, const po_special_point *back,
                                   po_reverse_trace *way) {
   const double approach = fabs(out->approach - back->approach), load = fabs(out->load - back->load);
-  double *const approaches = is_fold(out->kind) ? &way->fold_approach : &way->extremum_approach;
-  double *const loads = is_fold(out->kind) ? &way->fold_load : &way->extremum_load;
+  double *const approaches = is_fold(out) ? &way->fold_approach : &way->extremum_approach;
+  double *const loads = is_fold(out) ? &way->fold_load : &way->extremum_load;
   *approaches = fmax(*approaches, approach);
   *loads = fmax(*loads, load);
-  if (!is_fold(out->kind))
+  if (!is_fold(out))
     return;
   const double parts = fmax(approach / (out->approach_error + back->approach_error),
                             load / (out->load_error + back->load_error));
@@ -187,11 +179,11 @@ po_reverse_trace po_reverse_trace_compare(const po_passage *out, const po_passag
     snprintf(way.reason, sizeof way.reason, "%s",
              *po_message() ? po_message() : po_status_text(status));
   for (size_t k = 0; k < back->count; ++k)
-    ++*(is_fold(back->list[k].kind) ? &way.folds : &way.extrema);
+    ++*(is_fold(&back->list[k]) ? &way.folds : &way.extrema);
   way.same = !status && out->count == back->count && back->modes == 0;
   for (size_t k = 0; way.same && k < out->count; ++k) {
-    const po_passed *a = &out->list[k], *b = &back->list[out->count - 1 - k];
-    way.same = a->kind == b->kind && a->modes == b->modes;
+    const po_special_point *a = &out->list[k], *b = &back->list[out->count - 1 - k];
+    way.same = a->kind == b->kind && a->unstable_modes == b->unstable_modes;
     compare_special_point(a, b, &way);
   }
   if (!way.same)

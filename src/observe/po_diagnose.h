@@ -14,16 +14,10 @@
 #include "po_request.h"
 #include "po_result.h"
 
-/* A special point of a trace. */
+/* The special points of a trace in their order. Their unstable modes are those on the side that is
+ * later on the forward trace. */
 typedef struct {
-  po_point_kind kind;
-  double approach, load, approach_error, load_error;
-  int modes; /* number of unstable modes, on the side that is later on the forward trace */
-} po_passed;
-
-/* The special points of a trace in their order. */
-typedef struct {
-  po_passed *list;
+  po_special_point *list;
   size_t count, room;
   size_t points;
   int modes; /* number of unstable modes after the last point */
@@ -57,10 +51,9 @@ po_status po_diagnose_out_of_time(const po_request *request, const char *what);
 po_status po_kept_note(po_kept *kept, const po_branch_point *point, bool deepest);
 void po_kept_clear(po_kept *kept);
 
-/* Adds a point of a trace to its special points if it is one. Given: bounds of its errors; back,
- * whether the trace is the reverse one. Status: PO_NO_MEMORY. */
-po_status po_passage_note(po_passage *passage, const po_branch_point *point, double approach_error,
-                          double load_error, bool back);
+/* Adds a point of a trace. Given: a special point, otherwise NULL; the number of unstable modes
+ * after it; back, whether the trace is the reverse one. Status: PO_NO_MEMORY. */
+po_status po_passage_note(po_passage *passage, const po_special_point *point, int modes, bool back);
 
 void po_passage_clear(po_passage *passage);
 

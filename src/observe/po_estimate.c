@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_contact.h"
 #include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_linear.h"
@@ -315,6 +316,7 @@ static double change_of_energy(double approach, double load, double energy,
 /* Energies and their errors. Given: e with the stated approach and load. The energy is that of the
  * best solution, moved to the stated approach. */
 static void estimate_energy(const po_request *request, const po_branch_point *p, po_estimate *e) {
+  po_special_point *point = &e->point;
   double from = p->approach, energy = p->energy, change = NAN;
   e->traced_energy_error = NAN;
   if (!p->gap)
@@ -326,31 +328,60 @@ static void estimate_energy(const po_request *request, const po_branch_point *p,
     e->traced_energy_error =
         OF_CHANGE * change_of_energy(p->approach, p->load, p->energy, p->finer);
   }
-  e->energy = energy + e->load * (e->approach - from);
-  e->energy_error = change + fabs(e->load) * e->approach_error +
-                    po_observe_precision(request->mesh.tolerance) * (1.0 + fabs(e->load));
+  point->energy = energy + point->load * (point->approach - from);
+  point->energy_error = change + fabs(point->load) * point->approach_error +
+                        po_observe_precision(request->mesh.tolerance) * (1.0 + fabs(point->load));
 }
 
+/* Adds the errors that the solution on the finer mesh does not show. */
+static void add_far_field(const po_request *request, double domain, const po_branch_point *p,
+                          po_estimate *e) {
+  const far_field far = far_field_error(&request->scene, domain, p->best);
+  const double far_energy = far.load * (1.0 + fabs(p->approach));
+  e->point.contact_radius_error = fmax(e->point.contact_radius_error, edge_error_of_place(p));
+  e->point.approach_error += far.approach;
+  e->point.load_error += far.load;
+  e->far_load_error = far.load;
+  e->traced_approach_error += far.approach;
+  e->traced_load_error += far.load;
+  e->point.energy_error += far_energy + fabs(e->point.load) * far.approach;
+  e->traced_energy_error += far_energy;
+}
+
+static const po_special_kind KINDS[] = {[PO_POINT_APPROACH_MAX] = PO_JUMP_IN,
+                                        [PO_POINT_APPROACH_MIN] = PO_JUMP_OUT,
+                                        [PO_POINT_LOAD_MAX] = PO_MAXIMUM,
+                                        [PO_POINT_LOAD_MIN] = PO_MINIMUM};
+
 po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *p) {
-  po_estimate e = {.approach = p->approach + p->approach_correction,
-                   .load = p->load + p->load_correction,
-                   .approach_error = p->approach_error,
-                   .load_error = p->load_error,
-                   .edge = edge_of(request, domain, p)};
-  e.traced_approach_error = e.approach_error + fabs(p->approach_correction);
-  e.traced_load_error = e.load_error + fabs(p->load_correction);
+  const po_contact_edge edge = edge_of(request, domain, p);
+  po_estimate e = {.point = {.kind = KINDS[p->kind],
+                             .approach = p->approach + p->approach_correction,
+                             .load = p->load + p->load_correction,
+                             .approach_error = p->approach_error,
+                             .load_error = p->load_error,
+                             .contact_radius = edge.radius,
+                             .contact_radius_error = edge.error,
+                             .contact_radius_other = edge.other,
+                             .position = p->position,
+                             .unstable_modes = p->unstable_modes},
+                   .traced_approach_error = p->approach_error + fabs(p->approach_correction),
+                   .traced_load_error = p->load_error + fabs(p->load_correction)};
   estimate_energy(request, p, &e);
-  if (p->best) {
-    const far_field far = far_field_error(&request->scene, domain, p->best);
-    e.edge.error = fmax(e.edge.error, edge_error_of_place(p));
-    const double far_energy = far.load * (1.0 + fabs(p->approach));
-    e.approach_error += far.approach;
-    e.load_error += far.load;
-    e.far_load_error = far.load;
-    e.traced_approach_error += far.approach;
-    e.traced_load_error += far.load;
-    e.energy_error += far_energy + fabs(e.load) * far.approach;
-    e.traced_energy_error += far_energy;
-  }
+  if (p->best)
+    add_far_field(request, domain, p, &e);
   return e;
+}
+
+void po_estimate_pull_off(const po_estimate *minimum, po_result *o) {
+  const po_special_point *point = &minimum->point;
+  o->has_pull_off = true;
+  o->pull_off.force = fabs(point->load);
+  o->pull_off.approach = point->approach;
+  o->pull_off.contact_radius = point->contact_radius;
+  o->pull_off.force_error = point->load_error;
+  o->pull_off.far_force_error = minimum->far_load_error;
+  o->pull_off.approach_error = point->approach_error;
+  o->pull_off.contact_radius_error = point->contact_radius_error;
+  o->pull_off.contact_radius_other = point->contact_radius_other;
 }

@@ -4,24 +4,23 @@
 #define PO_ESTIMATE_H
 
 #include "po_branch_point.h"
-#include "po_contact.h"
 #include "po_request.h"
 #include "po_result.h"
 
 typedef struct {
-  double approach, load;             /* eps; pi w R */
-  double approach_error, load_error; /* bounds; NAN: not estimated */
-  double far_load_error;             /* the part of load_error that no other mesh reduces */
+  po_special_point point; /* the error of its energy includes that of the approach */
+  double far_load_error;  /* the part of its load_error that no other mesh reduces */
   /* Bounds for the solution of the trace, which is not corrected; NAN: not estimated. */
   double traced_approach_error, traced_load_error;
-  double energy, energy_error; /* pi w R eps; the error includes that of the approach */
-  double traced_energy_error;  /* of the energy of the trace at given approach */
-  po_contact_edge edge; /* the outermost contact edge; its error is NAN if it was not estimated */
+  double traced_energy_error; /* of the energy at given approach */
 } po_estimate;
 
 /* Given: the radius of the domain of the panels, eps (panels only); a special point during its
- * visit. */
+ * visit. Returned: without the number of unstable modes at a given base. */
 po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *point);
+
+/* Makes a minimum of the load the pull-off of a result. */
+void po_estimate_pull_off(const po_estimate *minimum, po_result *result);
 
 /* Greatest allowed distance of the curve from the cubics between its points, in eps and pi w R, for
  * loading and unloading. */

@@ -21,16 +21,15 @@ static po_estimate estimate_of(const po_reader *r, const po_branch_point *p) {
   return po_estimate_of(r->request, root_of(r), p);
 }
 
+static bool is_special(const po_branch_point *p) {
+  return p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION;
+}
+
 /* Stores the first failure of a part, which ends the trace. */
 static void keep_status(po_reader *r, po_status status) {
   if (!r->status)
     r->status = status;
 }
-
-static const po_special_kind KINDS[] = {[PO_POINT_APPROACH_MAX] = PO_JUMP_IN,
-                                        [PO_POINT_APPROACH_MIN] = PO_JUMP_OUT,
-                                        [PO_POINT_LOAD_MAX] = PO_MAXIMUM,
-                                        [PO_POINT_LOAD_MIN] = PO_MINIMUM};
 
 /* fmax ignores NAN. */
 static void note_errors(po_estimate *greatest, const po_estimate *e) {
@@ -52,8 +51,7 @@ static int modes_at_base(double stiffness, const po_branch_point *p) {
 /* Adds a special point to the folds or the extrema of the result. Status: PO_NO_MEMORY. */
 static po_status add_special_point(po_special_list *l, const po_branch_point *p, double stiffness,
                                    const po_estimate *e, po_result *o) {
-  const po_special_kind kind = KINDS[p->kind];
-  const bool fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
+  const bool fold = e->point.kind == PO_JUMP_IN || e->point.kind == PO_JUMP_OUT;
   po_special_point **list = fold ? &o->folds : &o->extrema;
   size_t *count = fold ? &o->fold_count : &o->extremum_count;
   l->unmet_folds += fold && p->unmet;
@@ -63,34 +61,10 @@ static po_status add_special_point(po_special_list *l, const po_branch_point *p,
   if (!grown)
     return PO_NO_MEMORY;
   *list = grown;
-  grown[(*count)++] = (po_special_point){.kind = kind,
-                                         .approach = e->approach,
-                                         .load = e->load,
-                                         .energy = e->energy,
-                                         .energy_error = e->energy_error,
-                                         .approach_error = e->approach_error,
-                                         .load_error = e->load_error,
-                                         .contact_radius = e->edge.radius,
-                                         .contact_radius_error = e->edge.error,
-                                         .contact_radius_other = e->edge.other,
-                                         .position = p->position,
-                                         .unstable_modes = p->unstable_modes,
-                                         .has_base = !isnan(stiffness),
-                                         .base_modes = modes_at_base(stiffness, p)};
+  grown[*count] = e->point;
+  grown[*count].has_base = !isnan(stiffness);
+  grown[(*count)++].base_modes = modes_at_base(stiffness, p);
   return PO_OK;
-}
-
-/* Makes a minimum of the load the pull-off of the result. */
-static void set_pull_off(const po_estimate *e, po_result *o) {
-  o->has_pull_off = true;
-  o->pull_off.force = fabs(e->load);
-  o->pull_off.approach = e->approach;
-  o->pull_off.contact_radius = e->edge.radius;
-  o->pull_off.force_error = e->load_error;
-  o->pull_off.far_force_error = e->far_load_error;
-  o->pull_off.approach_error = e->approach_error;
-  o->pull_off.contact_radius_error = e->edge.error;
-  o->pull_off.contact_radius_other = e->edge.other;
 }
 
 /* Shows the profile of the last point of the curve. */
@@ -104,9 +78,9 @@ static void show_profile(po_reader *r, const po_branch_point *p) {
 }
 
 static void note_minimum(po_reader *r, const po_branch_point *p, const po_estimate *e) {
-  if (!po_stopping_note_minimum(&r->stopping, e->load))
+  if (!po_stopping_note_minimum(&r->stopping, e->point.load))
     return;
-  set_pull_off(e, r->result);
+  po_estimate_pull_off(e, r->result);
   if (p->solution)
     r->result->pull_off.has_sensitivity = po_adjoint_sensitivity(
         &r->request->scene, r->surface, p->solution, &r->result->pull_off.sensitivity);
@@ -216,12 +190,19 @@ static bool may_go_on(po_reader *r, const po_branch_point *p) {
   return !r->status;
 }
 
+/* Adds a point to the special points of the forward or the reverse trace. */
+static po_status pass(po_reader *r, const po_branch_point *p, bool back) {
+  po_passage *passage = back ? &r->back : &r->out;
+  if (!is_special(p))
+    return po_passage_note(passage, NULL, p->unstable_modes, back);
+  const po_estimate e = estimate_of(r, p);
+  return po_passage_note(passage, &e.point, p->unstable_modes, back);
+}
+
 bool po_reader_visit_back(const po_branch_point *p, void *data) {
   po_reader *r = data;
-  if (may_go_on(r, p)) {
-    const po_estimate e = estimate_of(r, p);
-    r->status = po_passage_note(&r->back, p, e.approach_error, e.load_error, true);
-  }
+  if (may_go_on(r, p))
+    r->status = pass(r, p, true);
   return r->status != PO_OK;
 }
 
@@ -322,10 +303,8 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   po_result *o = r->result;
   if (!may_go_on(r, p) || o->ended.cause != PO_END_NONE)
     return true;
-  if (r->diagnoses) {
-    const po_estimate e = estimate_of(r, p);
-    r->status = po_passage_note(&r->out, p, e.approach_error, e.load_error, false);
-  }
+  if (r->diagnoses)
+    r->status = pass(r, p, false);
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
   const double contact_radius = po_contact_radius(&gap);
   keep_status(
@@ -347,7 +326,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
       po_path_is_at(p->approach, r->request->profile_approach))
     keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
   po_stopping_note_point(&r->stopping, p, &gap, contact_radius);
-  if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
+  if (is_special(p))
     read_special_point(r, p);
   if (r->diagnoses)
     keep_for_diagnosis(r, p);

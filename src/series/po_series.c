@@ -85,15 +85,9 @@ static double record_minimum(interval *s, size_t index) {
     return load;
   o->work.nodes = o->work.nodes > p.n ? o->work.nodes : p.n;
   p = po_follow_point(s->follower, true);
-  o->followed = o->has_pull_off = true;
   const po_estimate e = po_estimate_of(request, domain, &p);
-  o->pull_off.force = fabs(e.load);
-  o->pull_off.approach = e.approach;
-  o->pull_off.contact_radius = e.edge.radius;
-  o->pull_off.force_error = e.load_error;
-  o->pull_off.approach_error = e.approach_error;
-  o->pull_off.contact_radius_error = e.edge.error;
-  o->pull_off.contact_radius_other = e.edge.other;
+  po_estimate_pull_off(&e, o);
+  o->followed = true;
   return load;
 }
 

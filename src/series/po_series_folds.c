@@ -18,13 +18,11 @@ static bool record_fold(po_follower *follower, const po_request *request, po_spe
     return false;
   p = po_follow_point(follower, true);
   const po_estimate e = po_estimate_of(request, domain, &p);
-  fold->approach = e.approach;
-  fold->load = e.load;
-  fold->approach_error = e.approach_error;
-  fold->load_error = e.load_error;
-  fold->contact_radius = e.edge.radius;
-  fold->contact_radius_error = e.edge.error;
-  fold->contact_radius_other = e.edge.other;
+  const po_special_point first = *fold;
+  *fold = e.point;
+  fold->kind = first.kind;
+  fold->unstable_modes = first.unstable_modes;
+  fold->energy = fold->energy_error = fold->position = NAN;
   return true;
 }
 

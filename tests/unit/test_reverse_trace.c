@@ -78,34 +78,45 @@ START_TEST(extrema_just_before_an_annulus_forms_are_found) {
 }
 END_TEST
 
-/* Points of a synthetic forward trace: fold, minimum, fold. */
-static const po_branch_point OUT[] = {
-    {.kind = PO_POINT_STEP},
-    {.kind = PO_POINT_APPROACH_MAX, .approach = -2.385, .load = -0.31, .unstable_modes = 1},
-    {.kind = PO_POINT_LOAD_MIN, .approach = -2.5, .load = -1.4, .unstable_modes = 1},
-    {.kind = PO_POINT_APPROACH_MIN, .approach = -2.61, .load = -0.9, .unstable_modes = 0},
-    {.kind = PO_POINT_STEP},
+/* Points of a synthetic forward trace: fold, minimum, fold, between two others. */
+typedef struct {
+  bool special;
+  po_special_point at;
+} passed;
+static const passed OUT[] = {
+    {false, {.unstable_modes = 0}},
+    {true, {.kind = PO_JUMP_IN, .approach = -2.385, .load = -0.31, .unstable_modes = 1}},
+    {true, {.kind = PO_MINIMUM, .approach = -2.5, .load = -1.4, .unstable_modes = 1}},
+    {true, {.kind = PO_JUMP_OUT, .approach = -2.61, .load = -0.9, .unstable_modes = 0}},
+    {false, {.unstable_modes = 0}},
 };
 enum { COUNT = sizeof OUT / sizeof *OUT };
+
+static void note(po_passage *passage, passed p, double approach_error, bool back) {
+  p.at.approach_error = approach_error;
+  p.at.load_error = 3e-6;
+  ck_assert_int_eq(po_passage_note(passage, p.special ? &p.at : NULL, p.at.unstable_modes, back),
+                   PO_OK);
+}
 
 /* Compares the points with those of a synthetic reverse trace that ended with `status`. One point
  * is missing (COUNT: none); the point met last but one has another kind, approach and number of
  * unstable modes. */
-static po_reverse_trace judge(size_t missing, po_point_kind last, double off, int modes,
+static po_reverse_trace judge(size_t missing, po_special_kind last, double off, int modes,
                               po_status status) {
   po_passage out = {0}, back = {0};
   for (size_t k = 0; k < COUNT; ++k)
-    ck_assert_int_eq(po_passage_note(&out, &OUT[k], 2e-7, 3e-6, false), PO_OK);
+    note(&out, OUT[k], 2e-7, false);
   for (size_t k = COUNT; k-- > 0;) {
-    po_branch_point p = OUT[k];
-    p.unstable_modes = k > 0 ? OUT[k - 1].unstable_modes : modes;
+    passed p = OUT[k];
+    p.at.unstable_modes = k > 0 ? OUT[k - 1].at.unstable_modes : modes;
     if (k == 1) {
-      p.kind = last;
-      p.approach += off;
-      p.unstable_modes = modes;
+      p.at.kind = last;
+      p.at.approach += off;
+      p.at.unstable_modes = modes;
     }
     if (k != missing)
-      ck_assert_int_eq(po_passage_note(&back, &p, 1e-7, 3e-6, true), PO_OK);
+      note(&back, p, 1e-7, true);
   }
   const po_reverse_trace way = po_reverse_trace_compare(&out, &back, status);
   po_passage_clear(&out);
@@ -114,7 +125,7 @@ static po_reverse_trace judge(size_t missing, po_point_kind last, double off, in
 }
 
 START_TEST(differences_are_relative_to_the_errors) {
-  const po_reverse_trace way = judge(COUNT, PO_POINT_APPROACH_MAX, 4.5e-7, 0, PO_OK);
+  const po_reverse_trace way = judge(COUNT, PO_JUMP_IN, 4.5e-7, 0, PO_OK);
   ck_assert(way.same);
   ck_assert_uint_eq(way.folds, 2);
   ck_assert_uint_eq(way.extrema, 1);
@@ -125,13 +136,13 @@ START_TEST(differences_are_relative_to_the_errors) {
 END_TEST
 
 START_TEST(different_special_points_are_reported) {
-  const po_reverse_trace missing = judge(1, PO_POINT_APPROACH_MAX, 0.0, 0, PO_OK);
+  const po_reverse_trace missing = judge(1, PO_JUMP_IN, 0.0, 0, PO_OK);
   ck_assert(!missing.same && isnan(missing.excess));
   ck_assert_uint_eq(missing.folds, 1);
-  ck_assert(!judge(2, PO_POINT_APPROACH_MAX, 0.0, 0, PO_OK).same);
-  ck_assert(!judge(COUNT, PO_POINT_APPROACH_MIN, 0.0, 0, PO_OK).same);
-  ck_assert(!judge(COUNT, PO_POINT_APPROACH_MAX, 0.0, 1, PO_OK).same);
-  ck_assert(!judge(COUNT, PO_POINT_APPROACH_MAX, 0.0, 0, PO_STEP_TOO_SMALL).same);
+  ck_assert(!judge(2, PO_JUMP_IN, 0.0, 0, PO_OK).same);
+  ck_assert(!judge(COUNT, PO_JUMP_OUT, 0.0, 0, PO_OK).same);
+  ck_assert(!judge(COUNT, PO_JUMP_IN, 0.0, 1, PO_OK).same);
+  ck_assert(!judge(COUNT, PO_JUMP_IN, 0.0, 0, PO_STEP_TOO_SMALL).same);
 }
 END_TEST
 
