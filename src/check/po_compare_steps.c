@@ -65,7 +65,7 @@ static size_t row_of(const po_compare_input *c, size_t index) {
 
 /* Returned: the loading and unloading, or the staircase, that the check refers to. */
 static const po_loop *loop_of(const po_compare_input *c) {
-  return &c->result->hysteresis.displacement;
+  return &c->result->hysteresis.of[PO_AT_APPROACH];
 }
 
 static const po_staircase *staircase_of(const po_compare_input *c) {

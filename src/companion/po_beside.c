@@ -60,7 +60,7 @@ static po_status guduru(const po_request *r, double *force) {
   po_hysteresis loops;
   const po_status status =
       po_jkr_hysteresis_within(&r->scene, preload, (double)NAN, MOST_POINTS, &loops);
-  *force = status ? NAN : fmax(0.0, -loops.displacement.pull_off.load);
+  *force = status ? NAN : fmax(0.0, -loops.of[PO_AT_APPROACH].pull_off.load);
   po_hysteresis_clear(&loops);
   return status;
 }

@@ -277,7 +277,7 @@ po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_contro
 
 po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, po_control spring,
                                    size_t most, po_hysteresis *hysteresis) {
-  *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
+  *hysteresis = (po_hysteresis){.has_spring = false};
   jkr_curve curve;
   po_contact least;
   po_status status = curve_of(scene, &curve, &least);

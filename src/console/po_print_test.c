@@ -40,8 +40,12 @@ const char *po_print_error(double error, char text[16]) {
   return text;
 }
 
-static void name_spring(po_control control, const units *u, char held[64]) {
-  snprintf(held, 64, "spring of stiffness %.6g%s", control * u->stiffness, u->of_stiffness);
+/* What is held in a test. */
+static const char *held_of(po_control control, const units *u, char held[64]) {
+  snprintf(held, 64, "%s control", control == PO_LOAD_CONTROL ? "load" : "displacement");
+  if (po_is_spring(control))
+    snprintf(held, 64, "spring of stiffness %.6g%s", control * u->stiffness, u->of_stiffness);
+  return held;
 }
 
 /* A finite number, or `word`. */
@@ -53,15 +57,12 @@ static const char *finite_or(double value, const char *word, char text[32]) {
   return text;
 }
 
-static void print_staircase(const char *theory, const char *control, const po_staircase *s,
-                            const units *u) {
+static void print_staircase(const char *theory, const po_staircase *s, const units *u) {
   char held[64];
-  if (po_is_spring(s->control))
-    name_spring(s->control, u, held);
   printf("%s%s: pull-off force against preload%s\n%14s %14s %-9s %14s %16s %8s %16s %14s %8s\n",
-         theory, po_is_spring(s->control) ? held : control, u->words, "from approach", "load",
-         "begins at", po_is_spring(s->control) ? "until base" : "until", "force", "error",
-         "at approach", "energy lost", "error");
+         theory, held_of(s->control, u, held), u->words, "from approach", "load", "begins at",
+         po_is_spring(s->control) ? "until base" : "until", "force", "error", "at approach",
+         "energy lost", "error");
   for (size_t k = 0; k < s->count; ++k) {
     const po_step *step = &s->step[k];
     const po_cycle *cycle = &step->cycle[0];
@@ -82,24 +83,23 @@ static void print_staircase(const char *theory, const char *control, const po_st
 /* The staircases of the solve, and those of the JKR theory if the scene has one: Eq 5 for the
  * scenes of the paper, the Abel transform of the profile for others. */
 static void print_staircases(const po_scene *scene, const po_result *o, const units *u) {
-  static const char *const CONTROL[] = {"displacement control", "load control", ""};
   const char *jkr = po_scene_is_of_paper(scene) ? "JKR theory (Eq 5), " : "JKR theory, ";
   for (int k = 0; k < 2 + o->staircase.has_spring; ++k)
-    print_staircase("", CONTROL[k], &o->staircase.of[k], u);
+    print_staircase("", &o->staircase.of[k], u);
   for (int k = 0; o->theory.has_staircases && k < 2 + o->theory.staircase.has_spring; ++k)
-    print_staircase(jkr, CONTROL[k], &o->theory.staircase.of[k], u);
+    print_staircase(jkr, &o->theory.staircase.of[k], u);
 }
 
 /* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
  * jump. */
-static void print_loop(const char *control, const po_loop *loop, const units *u) {
+static void print_loop(const po_loop *loop, const units *u) {
   const bool spring = po_is_spring(loop->control);
-  char error[16];
+  char error[16], held[64];
   const double length = u->length, load = u->load;
   printf("%s: loading reversed at approach %.6g%s, load %.6g%s; measured pull-off force %.8g%s at "
          "approach %.8g%s",
-         control, loop->preload.approach * length, u->of_length, loop->preload.load * load,
-         u->of_load, fmax(0.0, -loop->pull_off.load) * load, u->of_load,
+         held_of(loop->control, u, held), loop->preload.approach * length, u->of_length,
+         loop->preload.load * load, u->of_load, fmax(0.0, -loop->pull_off.load) * load, u->of_load,
          loop->pull_off.approach * length, u->of_length);
   if (isfinite(loop->energy_lost))
     printf("; energy lost %.6g%s", loop->energy_lost * u->energy, u->of_energy);
@@ -143,15 +143,8 @@ static void print_wanted(const po_request *request, const po_result *o, const un
 
 void po_print_test(const po_request *request, const po_result *result) {
   const units u = units_of(request);
-  if (result->has_hysteresis) {
-    print_loop("displacement control", &result->hysteresis.displacement, &u);
-    print_loop("load control", &result->hysteresis.load, &u);
-    if (result->hysteresis.has_spring) {
-      char held[64];
-      name_spring(result->hysteresis.spring.control, &u, held);
-      print_loop(held, &result->hysteresis.spring, &u);
-    }
-  }
+  for (int k = 0; result->has_hysteresis && k < 2 + result->hysteresis.has_spring; ++k)
+    print_loop(&result->hysteresis.of[k], &u);
   if (result->has_staircases)
     print_staircases(&request->scene, result, &u);
   print_wanted(request, result, &u);

@@ -84,7 +84,7 @@ po_status po_diagnose_moved(const po_request *request, double deadline, po_resul
 static po_preload preload_of(const po_request *request, const po_result *result) {
   po_preload preload = request->preload;
   if (isnan(preload.approach) && isnan(preload.load))
-    preload.load = result->hysteresis.displacement.preload.load;
+    preload.load = result->hysteresis.of[PO_AT_APPROACH].preload.load;
   return preload;
 }
 

@@ -167,7 +167,7 @@ static po_status read_pressed(const po_request *request, const po_path *path,
       po_staircases_read(path, o->has_staircases ? request->stiffness : (double)NAN, &o->staircase);
   if (status)
     return status;
-  for (size_t k = 0; k < sizeof o->staircase.of / sizeof *o->staircase.of; ++k)
+  for (int k = 0; k < PO_TESTS; ++k)
     state_errors(request, o, greatest, &o->staircase.of[k]);
   read_pull_off(s, pull_off_position(o), o);
   read_any(s, o);
@@ -241,12 +241,8 @@ static po_status read_hysteresis(const po_reader *reader, const po_path *path) {
   const po_status status = po_hysteresis_follow(path, po_request_preload(reader->request),
                                                 reader->request->stiffness, &o->hysteresis);
   o->has_hysteresis = !status;
-  if (!status) {
-    read_loop(reader, path, &o->hysteresis.displacement);
-    read_loop(reader, path, &o->hysteresis.load);
-    if (o->hysteresis.has_spring)
-      read_loop(reader, path, &o->hysteresis.spring);
-  }
+  for (int k = 0; k < 2 + o->hysteresis.has_spring && !status; ++k)
+    read_loop(reader, path, &o->hysteresis.of[k]);
   return status;
 }
 

@@ -188,16 +188,15 @@ po_status po_loop_follow(const po_path *path, po_control control, po_preload pre
 
 po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_control spring,
                                po_hysteresis *hysteresis) {
-  *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
-  po_status status =
-      po_loop_follow(path, PO_DISPLACEMENT_CONTROL, preload, &hysteresis->displacement);
-  if (status)
-    return status;
-  const po_preload load = {(double)NAN, fmax(0.0, hysteresis->displacement.preload.load)};
-  status = po_loop_follow(path, PO_LOAD_CONTROL, load, &hysteresis->load);
-  hysteresis->has_spring = isfinite(spring);
-  if (!status && hysteresis->has_spring)
-    status = po_loop_follow(path, spring, preload, &hysteresis->spring);
+  po_loop *of = hysteresis->of;
+  *hysteresis = (po_hysteresis){.has_spring = false};
+  po_status status = po_loop_follow(path, PO_DISPLACEMENT_CONTROL, preload, &of[PO_AT_APPROACH]);
+  const po_preload load = {(double)NAN, fmax(0.0, of[PO_AT_APPROACH].preload.load)};
+  if (!status)
+    status = po_loop_follow(path, PO_LOAD_CONTROL, load, &of[PO_AT_LOAD]);
+  hysteresis->has_spring = !status && isfinite(spring);
+  if (hysteresis->has_spring)
+    status = po_loop_follow(path, spring, preload, &of[PO_THROUGH_SPRING]);
   if (status)
     po_hysteresis_clear(hysteresis);
   return status;

@@ -225,7 +225,7 @@ static po_status climb(walk *w) {
   return status;
 }
 
-po_status po_staircase_read(const po_path *path, po_control control, po_staircase *staircase) {
+static po_status read_staircase(const po_path *path, po_control control, po_staircase *staircase) {
   *staircase = (po_staircase){.control = control, .reached = NOTHING};
   if (path->count < 2)
     return PO_OK;
@@ -246,12 +246,11 @@ po_status po_staircase_read(const po_path *path, po_control control, po_staircas
 }
 
 po_status po_staircases_read(const po_path *path, po_control spring, po_staircases *staircases) {
-  po_status status = po_staircase_read(path, PO_DISPLACEMENT_CONTROL, &staircases->of[0]);
-  if (!status)
-    status = po_staircase_read(path, PO_LOAD_CONTROL, &staircases->of[1]);
-  staircases->has_spring = !status && po_is_spring(spring);
-  if (staircases->has_spring)
-    status = po_staircase_read(path, spring, &staircases->of[2]);
+  const po_control controls[PO_TESTS] = {PO_DISPLACEMENT_CONTROL, PO_LOAD_CONTROL, spring};
+  po_status status = PO_OK;
+  staircases->has_spring = po_is_spring(spring);
+  for (int k = 0; k < 2 + staircases->has_spring && !status; ++k)
+    status = read_staircase(path, controls[k], &staircases->of[k]);
   return status;
 }
 

@@ -14,17 +14,13 @@
 
 #include "po_path.h"
 
-/* Computes the staircase. Given: a curve that begins far enough out. Under load control loading
- * starts at load 0, and the first step begins there, at approach -INFINITY. A spring that is
- * unstable where the curve begins jumps from there. Returned: staircase, to
- * be cleared with po_staircase_clear; without steps if loading passes no minimum of the load.
+/* Computes the staircases at given approach, at given load, and through a spring of stiffness
+ * `spring` unless that is NAN or infinite. Given: a curve that begins far enough out. Under load
+ * control loading starts at load 0, and the first step begins there, at approach -INFINITY. A
+ * spring that is unstable where the curve begins jumps from there. Returned: staircases, to be
+ * cleared with po_staircases_clear; without steps where loading passes no minimum of the load.
  * Status: PO_NO_MEMORY. Accuracy: that of the points where a step begins at a point, otherwise that
  * of po_path_at. */
-po_status po_staircase_read(const po_path *path, po_control control, po_staircase *staircase);
-
-/* Computes the staircases at given approach, at given load, and through a spring of stiffness
- * `spring` unless that is NAN or infinite. Returned: staircases, to be cleared with
- * po_staircases_clear. Status: PO_NO_MEMORY. */
 po_status po_staircases_read(const po_path *path, po_control spring, po_staircases *staircases);
 
 /* Returned: the step with the greatest pull-off force; NULL if there is none. */

@@ -211,12 +211,12 @@ po_plot_picture po_plot_of_solve(const po_request *request, const po_result *o) 
   po_plot_picture picture = po_plot_begin(po_plot_caption(request), request);
   branch b = {&picture, o->curve, o->curve_count, request->stiffness};
   const po_hysteresis *h = o->has_hysteresis ? &o->hysteresis : NULL;
-  const po_loop *spring = h && h->has_spring ? &h->spring : NULL;
+  const po_loop *spring = h && h->has_spring ? &h->of[PO_THROUGH_SPRING] : NULL;
   if (b.count > 1 && spring)
     add_loads(&b, o, spring);
   b.control = PO_DISPLACEMENT_CONTROL;
   if (b.count > 1)
-    add_loads(&b, o, spring ? spring : h ? &h->displacement : NULL);
+    add_loads(&b, o, spring ? spring : h ? &h->of[PO_AT_APPROACH] : NULL);
   if (o->profile_count > 1)
     add_profile(&picture, o);
   for (int k = o->staircase.has_spring ? 2 : 0; o->has_staircases && k >= 0; k -= 2)

@@ -8,6 +8,13 @@
 
 // clang-format off
 #define NO_BOUND "for rings and triangles, and for the JKR theory"
+/* The tests of a scene. Given: the rows of one, and of that through the spring. */
+#define TESTS(rows, of_spring, at_approach, at_load, through_spring)                               \
+  PART("displacement_control", of[PO_AT_APPROACH], rows, at_approach),                             \
+  PART("load_control", of[PO_AT_LOAD], rows, at_load),                                             \
+  {.key = "spring", .type = PO_ROW_PART, .offset = offsetof(S, of[PO_THROUGH_SPRING]),             \
+   .present = AT(bool, has_spring), .block = &of_spring, .omitted = true,                          \
+   TEXTS("", "absent without a stiffness", through_spring)},
 #define UNBOUNDED "if the bodies separate under tension, which loses without bound"
 
 /* -- States of the branch -- */
@@ -147,16 +154,13 @@ static const po_block SPRING_ROWS = BLOCK("spring_loop", SPRING, NULL);
 
 #define S po_hysteresis
 static void settle_loops(void *of) {
-  ((S *)of)->displacement.control = PO_DISPLACEMENT_CONTROL;
-  ((S *)of)->load.control = PO_LOAD_CONTROL;
+  ((S *)of)->of[PO_AT_APPROACH].control = PO_DISPLACEMENT_CONTROL;
+  ((S *)of)->of[PO_AT_LOAD].control = PO_LOAD_CONTROL;
 }
 
 static const po_row LOOPS[] = {
-  PART("displacement_control", displacement, LOOP_ROWS, "loading and unloading at given approach"),
-  PART("load_control", load, LOOP_ROWS, "the same at given load"),
-  {.key = "spring", .type = PO_ROW_PART, .offset = offsetof(S, spring), .present = AT(bool, has_spring),
-   .block = &SPRING_ROWS, .omitted = true, TEXTS("", "absent without a stiffness",
-           "the same through a spring, whose other end, the base, is moved: it is at approach + load/stiffness")},
+  TESTS(LOOP_ROWS, SPRING_ROWS, "loading and unloading at given approach", "the same at given load",
+        "the same through a spring, whose other end, the base, is moved: it is at approach + load/stiffness")
 };
 static const po_block LOOPS_ROWS = BLOCK("loops", LOOPS, settle_loops);
 #undef S
@@ -226,15 +230,13 @@ static const po_block SPRING_STAIRS_ROWS = BLOCK("spring_stairs", SPRING_STAIRS,
 
 #define S po_staircases
 static void settle_staircases(void *of) {
-  ((S *)of)->of[0].control = PO_DISPLACEMENT_CONTROL;
-  ((S *)of)->of[1].control = PO_LOAD_CONTROL;
+  ((S *)of)->of[PO_AT_APPROACH].control = PO_DISPLACEMENT_CONTROL;
+  ((S *)of)->of[PO_AT_LOAD].control = PO_LOAD_CONTROL;
 }
 
 static const po_row STAIRCASES[] = {
-  PART("displacement_control", of[0], STAIRS_ROWS, "the staircase at given approach"),
-  PART("load_control", of[1], STAIRS_ROWS, "the staircase at given load"),
-  {.key = "spring", .type = PO_ROW_PART, .offset = offsetof(S, of[2]), .present = AT(bool, has_spring),
-   .block = &SPRING_STAIRS_ROWS, .omitted = true, TEXTS("", "absent without a stiffness", "the staircase through the spring")},
+  TESTS(STAIRS_ROWS, SPRING_STAIRS_ROWS, "the staircase at given approach", "the staircase at given load",
+        "the staircase through the spring")
 };
 static const po_block STAIRCASES_ROWS = BLOCK("staircases", STAIRCASES, settle_staircases);
 #undef S

@@ -20,9 +20,8 @@ void po_loop_clear(po_loop *loop) {
 }
 
 void po_hysteresis_clear(po_hysteresis *hysteresis) {
-  po_loop_clear(&hysteresis->displacement);
-  po_loop_clear(&hysteresis->load);
-  po_loop_clear(&hysteresis->spring);
+  for (int k = 0; k < PO_TESTS; ++k)
+    po_loop_clear(&hysteresis->of[k]);
 }
 
 void po_staircase_clear(po_staircase *staircase) {
@@ -33,7 +32,7 @@ void po_staircase_clear(po_staircase *staircase) {
 }
 
 void po_staircases_clear(po_staircases *staircases) {
-  for (size_t k = 0; k < sizeof staircases->of / sizeof *staircases->of; ++k)
+  for (int k = 0; k < PO_TESTS; ++k)
     po_staircase_clear(&staircases->of[k]);
   staircases->has_spring = false;
 }

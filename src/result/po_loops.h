@@ -83,9 +83,13 @@ typedef struct {
                           NAN: unknown */
 } po_loop;
 
-/* The loops in displacement control and in load control, and through the spring if there is one. */
+/* The tests of a scene: at given approach, at given load, and through the spring if there is one.
+ */
+enum { PO_AT_APPROACH, PO_AT_LOAD, PO_THROUGH_SPRING, PO_TESTS };
+
+/* The loops of all tests. */
 typedef struct {
-  po_loop displacement, load, spring;
+  po_loop of[PO_TESTS];
   bool has_spring;
 } po_hysteresis;
 
@@ -127,9 +131,9 @@ typedef struct {
   po_path_state reached; /* the last state of loading on the curve */
 } po_staircase;
 
-/* The staircases at given approach, at given load, and through the spring if there is one. */
+/* The staircases of all tests. */
 typedef struct {
-  po_staircase of[3];
+  po_staircase of[PO_TESTS];
   bool has_spring;
 } po_staircases;
 

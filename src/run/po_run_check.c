@@ -43,7 +43,8 @@ static po_status reach(const po_case_run *run, size_t point, const volatile sig_
   request.time_limit = (double)NAN;
   request.stop = stop;
   const po_status status = po_observe(&request, &result);
-  const double path = result.has_hysteresis ? -result.hysteresis.displacement.pull_off.load : NAN;
+  const double path =
+      result.has_hysteresis ? -result.hysteresis.of[PO_AT_APPROACH].pull_off.load : NAN;
   *reached = status || !result.has_pull_off || isnan(path) ||
              path > result.pull_off.force - 1e-4 * fabs(result.pull_off.force);
   po_result_clear(&result);

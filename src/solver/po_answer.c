@@ -229,14 +229,14 @@ static po_loop unknown_loop(po_control control) {
 static po_status read_hysteresis(const json_t *root, po_answer *answer) {
   const json_t *part = read_part(answer, root, "hysteresis");
   po_result *o = &answer->result;
-  po_loop *loop = &o->hysteresis.displacement;
+  po_loop *loop = &o->hysteresis.of[PO_AT_APPROACH];
   size_t count = 0;
   if (!part)
     return PO_OK;
   o->has_hysteresis = true;
   *loop = unknown_loop(PO_DISPLACEMENT_CONTROL);
   loop->energy_lost = read_member(answer, "hysteresis", part, "energy_lost");
-  o->hysteresis.load = unknown_loop(PO_LOAD_CONTROL);
+  o->hysteresis.of[PO_AT_LOAD] = unknown_loop(PO_LOAD_CONTROL);
   loop->pull_off.load = -read_member(answer, "hysteresis", part, "force");
   loop->pull_off.approach = read_member(answer, "hysteresis", part, "approach");
   if (!read_list(answer, part, "hysteresis", "jumps", &count))
@@ -366,7 +366,7 @@ static bool wants(const po_question *question, po_quantity quantity) {
 
 void po_answer_check(const po_question *question, po_answer *answer) {
   const po_result *o = &answer->result;
-  const po_loop *loop = &o->hysteresis.displacement;
+  const po_loop *loop = &o->hysteresis.of[PO_AT_APPROACH];
   if (o->status != PO_OK)
     return;
   const struct {

@@ -137,8 +137,8 @@ static void pull_off_of(const po_result *o, double *force, double *approach) {
     *approach = o->pull_off.approach;
   }
   if (o->has_hysteresis && isnan(*force)) {
-    *force = -o->hysteresis.displacement.pull_off.load;
-    *approach = o->hysteresis.displacement.pull_off.approach;
+    *force = -o->hysteresis.of[PO_AT_APPROACH].pull_off.load;
+    *approach = o->hysteresis.of[PO_AT_APPROACH].pull_off.approach;
   }
   for (size_t i = 0; i < o->extremum_count && !o->has_pull_off && !o->has_hysteresis; ++i)
     if (isnan(*force) || -o->extrema[i].load > *force) {

@@ -9,7 +9,7 @@
 
 /* What an answer that was accepted must satisfy. */
 static void require_result(const po_result *o) {
-  const po_loop *loop = &o->hysteresis.displacement;
+  const po_loop *loop = &o->hysteresis.of[PO_AT_APPROACH];
   fuzz_require(isfinite(o->pull_off.force) && isfinite(o->pull_off.approach),
                "a pull-off that is not finite is accepted");
   fuzz_require(o->curve_count >= 3, "a curve of %zu points is accepted", o->curve_count);

@@ -15,9 +15,9 @@ static const char JUMP_ROWS[] = "tabor,preload,index,phase,approach,load_before,
 
 static po_result loop_of(po_jump *jumps, size_t count) {
   po_result result = {.has_pull_off = true, .has_hysteresis = true};
-  result.hysteresis.displacement =
+  result.hysteresis.of[PO_AT_APPROACH] =
       (po_loop){.jumps = jumps, .jump_count = count, .loading_jumps = 1, .energy_lost = 0.5417};
-  result.hysteresis.displacement.pull_off = (po_path_state){.approach = -0.91, .load = -1.67};
+  result.hysteresis.of[PO_AT_APPROACH].pull_off = (po_path_state){.approach = -0.91, .load = -1.67};
   return result;
 }
 

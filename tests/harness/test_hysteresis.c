@@ -27,7 +27,7 @@ START_TEST(jkr_in_closed_form) {
     ck_assert(po_profile_set(&scene.profile, "power:0.0060240963855421684,2"));
   po_hysteresis h;
   ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, NAN, &h), PO_OK);
-  const po_loop *d = &h.displacement, *l = &h.load;
+  const po_loop *d = &h.of[PO_AT_APPROACH], *l = &h.of[PO_AT_LOAD];
   ck_assert_uint_eq(d->jump_count, 2);
   ck_assert_uint_eq(d->loading_jumps, 1);
   ck_assert_double_eq_tol(d->preload.load, 1.5, 1e-12);
@@ -63,7 +63,7 @@ START_TEST(spring_in_closed_form) {
   po_hysteresis h;
   ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, stiffness, &h), PO_OK);
   ck_assert(h.has_spring);
-  const po_loop *s = &h.spring;
+  const po_loop *s = &h.of[PO_THROUGH_SPRING];
   ck_assert_uint_eq(s->jump_count, 2);
   ck_assert_double_eq_tol(s->jumps[0].before.approach, 0.0, 1e-12);
   ck_assert_double_eq_tol(base_of(&scene, stiffness, s->jumps[0].after.contact_radius), 0.0, 1e-2);
@@ -100,7 +100,7 @@ START_TEST(cone_in_closed_form) {
   ck_assert(po_profile_set(&scene.profile, "cone:0.3"));
   po_hysteresis h;
   ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, NAN, &h), PO_OK);
-  const po_loop *d = &h.displacement, *l = &h.load;
+  const po_loop *d = &h.of[PO_AT_APPROACH], *l = &h.of[PO_AT_LOAD];
   const double last = 0.5 * M_PI * coupling / (slope * slope);
   ck_assert_uint_eq(d->jump_count, 2);
   ck_assert_double_eq_tol(d->jumps[0].before.approach, 0.0, 1e-15);
@@ -123,7 +123,7 @@ START_TEST(truncated_sphere_parts_from_its_corner) {
   po_hysteresis h;
   ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, NAN, &h), PO_OK);
   const po_contact corner = po_jkr_profile_at(&scene, 5.0);
-  const po_loop *d = &h.displacement, *l = &h.load;
+  const po_loop *d = &h.of[PO_AT_APPROACH], *l = &h.of[PO_AT_LOAD];
   ck_assert_uint_eq(d->jump_count, 2);
   ck_assert_double_eq_tol(d->jumps[1].before.contact_radius, 5.0, 1e-12);
   ck_assert_double_eq_tol(d->jumps[1].before.approach, corner.approach, 1e-12);
@@ -176,9 +176,9 @@ START_TEST(staircase_through_a_spring) {
     po_hysteresis h;
     const po_preload preload = {cycle->preload.approach + beyond, NAN};
     ck_assert_int_eq(po_jkr_hysteresis(&scene, preload, stiffness, &h), PO_OK);
-    ck_assert_double_eq_tol(h.spring.pull_off.load, step->pull_off.load, 1e-12);
-    ck_assert_uint_eq(h.spring.jump_count, cycle->loss.jumps);
-    ck_assert_double_eq_tol(h.spring.energy_lost, cycle->loss.energy, 1e-9);
+    ck_assert_double_eq_tol(h.of[PO_THROUGH_SPRING].pull_off.load, step->pull_off.load, 1e-12);
+    ck_assert_uint_eq(h.of[PO_THROUGH_SPRING].jump_count, cycle->loss.jumps);
+    ck_assert_double_eq_tol(h.of[PO_THROUGH_SPRING].energy_lost, cycle->loss.energy, 1e-9);
     ck_assert_double_gt(cycle->loss.energy, 1.5 * held->cycle[0].loss.energy);
     po_hysteresis_clear(&h);
   }
@@ -207,7 +207,7 @@ START_TEST(bradley_in_closed_form) {
   request.want = PO_WANT_HYSTERESIS;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  const po_loop *d = &o.hysteresis.displacement, *l = &o.hysteresis.load;
+  const po_loop *d = &o.hysteresis.of[PO_AT_APPROACH], *l = &o.hysteresis.of[PO_AT_LOAD];
   ck_assert_uint_eq(d->jump_count, 0);
   ck_assert_double_eq_tol(d->pull_off.load, -2.0, 1e-9);
   ck_assert_double_eq_tol(d->energy_lost, 0.0, 1e-15);
@@ -266,15 +266,15 @@ START_TEST(loop_loses_what_its_jumps_do) {
   request.want = PO_WANT_HYSTERESIS;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  ck_assert_uint_eq(o.hysteresis.displacement.jump_count, LOOPS[_i].jumps);
-  const po_loop *loop = &o.hysteresis.displacement;
+  ck_assert_uint_eq(o.hysteresis.of[PO_AT_APPROACH].jump_count, LOOPS[_i].jumps);
+  const po_loop *loop = &o.hysteresis.of[PO_AT_APPROACH];
   const double way = 2.0 * (loop->preload.approach - o.start);
   check_balance(loop, 0.06 * 1e-6 * way / loop->energy_lost);
   po_hysteresis h;
   ck_assert_int_eq(po_jkr_hysteresis(&request.scene, po_request_preload(&request), NAN, &h), PO_OK);
-  check_balance(&h.displacement, 1e-8);
+  check_balance(&h.of[PO_AT_APPROACH], 1e-8);
   is_located(loop, &o);
-  is_located(&o.hysteresis.load, &o);
+  is_located(&o.hysteresis.of[PO_AT_LOAD], &o);
   po_hysteresis_clear(&h);
   po_result_clear(&o);
 }
@@ -321,13 +321,14 @@ START_TEST(stated_errors_of_energies_hold) {
     last[k] = &o[k].curve[o[k].curve_count - 1];
   ck_assert_double_eq_tol(last[0]->approach, last[1]->approach, 1e-9);
   holds(last[0]->energy, last[0]->energy_error, last[1]->energy, last[1]->energy_error);
-  const po_loop *loop = &o[0].hysteresis.displacement;
+  const po_loop *loop = &o[0].hysteresis.of[PO_AT_APPROACH];
   ck_assert_double_gt(loop->energy_error, 0.0);
   if (isfinite(request.preload.approach)) /* the same approach in both */
-    holds(loop->preload.energy, loop->energy_error, o[1].hysteresis.displacement.preload.energy,
-          o[1].hysteresis.displacement.energy_error);
-  loops_hold(loop, &o[1].hysteresis.displacement);
-  loops_hold(&o[0].hysteresis.load, &o[1].hysteresis.load);
+    holds(loop->preload.energy, loop->energy_error,
+          o[1].hysteresis.of[PO_AT_APPROACH].preload.energy,
+          o[1].hysteresis.of[PO_AT_APPROACH].energy_error);
+  loops_hold(loop, &o[1].hysteresis.of[PO_AT_APPROACH]);
+  loops_hold(&o[0].hysteresis.of[PO_AT_LOAD], &o[1].hysteresis.of[PO_AT_LOAD]);
   po_result_clear(&o[0]);
   po_result_clear(&o[1]);
 }
@@ -344,9 +345,9 @@ START_TEST(a_small_preload_measures_less) {
   request.want = PO_WANT_HYSTERESIS;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  ck_assert_uint_eq(o.hysteresis.displacement.loading_jumps, 1);
+  ck_assert_uint_eq(o.hysteresis.of[PO_AT_APPROACH].loading_jumps, 1);
   ck_assert_double_lt(o.pull_off.force, 0.45);
-  ck_assert_double_eq_tol(-o.hysteresis.displacement.pull_off.load, o.pull_off.force, 1e-4);
+  ck_assert_double_eq_tol(-o.hysteresis.of[PO_AT_APPROACH].pull_off.load, o.pull_off.force, 1e-4);
   po_result_clear(&o);
   request.preload.approach = NAN;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);

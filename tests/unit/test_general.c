@@ -65,7 +65,7 @@ START_TEST(energies_lost_are_within_their_errors) {
       po_result o;
       ck_assert_msg(po_observe(&request, &o) == PO_OK, "%s", o.reason);
       ck_assert(stairs ? o.has_staircases : o.has_hysteresis);
-      const po_loop *loop = &o.hysteresis.displacement;
+      const po_loop *loop = &o.hysteresis.of[PO_AT_APPROACH];
       const po_cycle *cycle = stairs ? &o.staircase.of[0].step[0].cycle[0] : NULL;
       lost[stairs][tight] = cycle ? cycle->loss.energy : loop->energy_lost;
       error[stairs][tight] = cycle ? cycle->energy_error : loop->energy_lost_error;

@@ -284,8 +284,8 @@ START_TEST(a_profile_does_not_move_the_preload) {
   request.profile_approach = 0.385;
   ck_assert_int_eq(po_observe(&request, &beside), PO_OK);
   ck_assert_double_eq_tol(beside.profile_approach, 0.385, 1e-10);
-  ck_assert_double_eq_tol(alone.hysteresis.displacement.preload.load,
-                          beside.hysteresis.displacement.preload.load, 1e-10);
+  ck_assert_double_eq_tol(alone.hysteresis.of[PO_AT_APPROACH].preload.load,
+                          beside.hysteresis.of[PO_AT_APPROACH].preload.load, 1e-10);
   po_result_clear(&alone);
   po_result_clear(&beside);
 }

@@ -161,7 +161,7 @@ START_TEST(relaxation_after_a_jump_agrees_with_the_path) {
   po_linear_single_thread();
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_int_eq(po_surface_create(&request.scene, &request.mesh, NAN, true, &surface), PO_OK);
-  const po_loop *loop = &o.hysteresis.displacement;
+  const po_loop *loop = &o.hysteresis.of[PO_AT_APPROACH];
   ck_assert_uint_ge(loop->loading_jumps, 3); /* the coarse mesh adds some */
   relaxation r = begin(&request, surface, FAR);
   for (size_t k = 0; k < loop->jump_count; ++k) {

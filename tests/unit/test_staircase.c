@@ -35,14 +35,21 @@ static po_path path_of(const synthetic *list, size_t count, po_curve_point point
   return (po_path){point, count};
 }
 
+/* The staircase of one test along a curve. */
+static po_staircase staircase_of(const po_path *path, int test) {
+  po_staircases all = {.has_spring = false};
+  ck_assert_int_eq(po_staircases_read(path, (double)NAN, &all), PO_OK);
+  po_staircase_clear(&all.of[PO_AT_LOAD - test]);
+  return all.of[test];
+}
+
 /* The load falls to a minimum of -1 at approach 1, rises, falls to -2 at 3 and rises again. There
  * is no jump. For preloads between the steps the greatest tension is that at the reversal. */
 START_TEST(minima_on_the_loading_path_are_steps) {
   static const synthetic CURVE[] = {{0, 0, 0}, {1, -1, 0}, {2, -0.5, 0}, {3, -2, 0}, {4, 1, 0}};
   po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 5, point);
-  po_staircase s;
-  ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
+  po_staircase s = staircase_of(&path, PO_AT_APPROACH);
   ck_assert_uint_eq(s.count, 2);
   ck_assert(!s.step[0].jumped && !s.step[1].jumped);
   ck_assert_double_eq(s.step[0].preload.approach, 1.0);
@@ -70,8 +77,7 @@ START_TEST(a_harder_preload_may_give_a_smaller_force) {
                                     {5, 2, 1},  {-1, -0.5, 0}, {1.5, 0, 0},  {9, 9, 0}};
   po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 8, point);
-  po_staircase s;
-  ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
+  po_staircase s = staircase_of(&path, PO_AT_APPROACH);
   ck_assert_uint_eq(s.count, 2);
   ck_assert(s.step[0].jumped && s.step[1].jumped);
   ck_assert_double_eq(s.step[0].preload.approach, 2.0);
@@ -105,7 +111,7 @@ START_TEST(a_step_begins_at_the_minimum_itself) {
     point[k].minimum = k == 2;
     point[k].load_rate = k < 2 ? -1e-3 : k > 2 ? 1e-3 : 0.0;
   }
-  ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
+  s = staircase_of(&path, PO_AT_APPROACH);
   ck_assert_uint_eq(s.count, 1);
   ck_assert_double_eq(s.step[0].preload.position, 2.0);
   ck_assert_double_eq(s.step[0].pull_off.position, 2.0);
@@ -117,13 +123,12 @@ START_TEST(a_curve_without_minima_has_no_steps) {
   static const synthetic CURVE[] = {{0, -0.1, 0}, {1, -1, 0}, {2, -2, 0}};
   po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 3, point), none = {point, 0};
-  po_staircase s;
-  ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
+  po_staircase s = staircase_of(&path, PO_AT_APPROACH);
   ck_assert_uint_eq(s.count, 0);
   ck_assert_ptr_null(po_staircase_greatest(&s));
-  ck_assert_int_eq(po_staircase_read(&path, PO_LOAD_CONTROL, &s), PO_OK);
+  s = staircase_of(&path, PO_AT_LOAD);
   ck_assert_uint_eq(s.count, 0);
-  ck_assert_int_eq(po_staircase_read(&none, PO_LOAD_CONTROL, &s), PO_OK);
+  s = staircase_of(&none, PO_AT_LOAD);
   ck_assert_uint_eq(s.count, 0);
 }
 END_TEST
@@ -155,7 +160,7 @@ static po_path_state pulled(po_request request, double preload) {
   request.want = PO_WANT_HYSTERESIS;
   request.preload = (po_preload){preload, NAN};
   ck_assert_msg(!po_observe(&request, &o), "preload %.12g: %s", preload, o.reason);
-  const po_path_state pull_off = o.hysteresis.displacement.pull_off;
+  const po_path_state pull_off = o.hysteresis.of[PO_AT_APPROACH].pull_off;
   po_result_clear(&o);
   return pull_off;
 }
