@@ -11,7 +11,6 @@
 #include "po_memory.h"
 #include "po_rigid_profile.h"
 #include "po_scales.h"
-#include "po_transition.h"
 #include "po_watch.h"
 
 /* -- The values -- */
@@ -66,8 +65,12 @@ static po_status guduru(const po_request *r, double *force) {
 }
 
 static po_status rumpf(const po_request *r, double *force) {
-  *force = po_rumpf_rabinowicz_force(po_scene_alpha(&r->scene), r->scene.radius);
+  *force = 2.0 * po_rumpf_rabinowicz_ratio(po_scene_alpha(&r->scene), r->scene.radius);
   return PO_OK;
+}
+
+static double persson_tosatti_work(const po_scene *scene) {
+  return po_persson_tosatti_of(scene).work_with_area;
 }
 
 /* -- The theories -- */
@@ -133,7 +136,7 @@ static const struct {
     [PO_THEORY_PERSSON_TOSATTI] = {NEEDS_ELASTIC | NEEDS_SPHERE | NEEDS_ONE_WAVE,
                                    NULL,
                                    {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}},
-                                   .work = po_persson_tosatti_work_with_area},
+                                   .work = persson_tosatti_work},
     [PO_THEORY_RUMPF] = {NEEDS_SPHERE | NEEDS_ONE_WAVE | NEEDS_LENNARD_JONES,
                          rumpf,
                          {STIFF, {PO_ASSUMES_WAVES, false, HALF_WAVE}}}};

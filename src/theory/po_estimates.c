@@ -46,23 +46,14 @@ po_contact po_kesari_lew_edge(const po_scene *scene, double contact_radius, int 
                       .contact_radius = contact_radius};
 }
 
-double po_persson_tosatti_area(const po_scene *scene) {
-  const double slope = M_PI * steepness(scene);
-  return 1.0 + slope * slope;
-}
-
-double po_persson_tosatti_area_printed(const po_scene *scene) {
-  const double ratio = steepness(scene);
-  return 1.0 + M_PI * ratio * ratio;
-}
-
-double po_persson_tosatti_work(const po_scene *scene) {
+po_persson_tosatti po_persson_tosatti_of(const po_scene *scene) {
+  const double ratio = steepness(scene), slope = M_PI * ratio;
   const double johnson = po_johnson_parameter(scene);
-  return 1.0 - 1.0 / (2.0 * M_PI * johnson * johnson);
-}
-
-double po_persson_tosatti_work_with_area(const po_scene *scene) {
-  return po_persson_tosatti_work(scene) + (po_persson_tosatti_area(scene) - 1.0);
+  const double area = 1.0 + slope * slope, work = 1.0 - 1.0 / (2.0 * M_PI * johnson * johnson);
+  return (po_persson_tosatti){.area = area,
+                              .area_printed = 1.0 + M_PI * ratio * ratio,
+                              .work = work,
+                              .work_with_area = work + (area - 1.0)};
 }
 
 double po_rumpf_rabinowicz_ratio(double alpha, double radius) {
@@ -72,39 +63,26 @@ double po_rumpf_rabinowicz_ratio(double alpha, double radius) {
   return 1.0 / (1.0 + curvature) + second * second;
 }
 
-double po_rumpf_rabinowicz_force(double alpha, double radius) {
-  return 2.0 * po_rumpf_rabinowicz_ratio(alpha, radius);
-}
-
 /* The zeros of this function are the extrema of sin(x)/x: x^2 times its derivative, negated. */
 static double sinc_slope(double x, const void *unused) {
   (void)unused;
   return po_sin(x) - x * po_cos(x);
 }
 
-double po_compactness_bound(void) {
+po_compactness po_compactness_of(const po_scene *scene) {
   /* the first minimum of sin(x)/x, where tan x = x */
   const double x = po_root(sinc_slope, NULL, M_PI, 2.0 * M_PI);
-  return -4.0 * M_PI * M_PI * po_sin(x) / x;
+  return (po_compactness){-4.0 * M_PI * M_PI * po_sin(x) / x,
+                          2.0 * M_PI * steepness(scene) * scene->radius};
 }
 
-double po_compactness_radius(const po_scene *scene) {
-  return 2.0 * M_PI * steepness(scene) * scene->radius;
-}
-
-double po_crest_radius(const po_scene *scene) {
-  if (!is_inside(scene))
-    return NAN;
-  const double wave = scene->wavelength / (2.0 * M_PI);
-  return po_scene_is_wavy(scene) ? wave * wave / scene->amplitude : INFINITY;
-}
-
-double po_crest_composite_radius(const po_scene *scene) {
-  return 1.0 / (1.0 / scene->radius + 1.0 / po_crest_radius(scene));
-}
-
-double po_crest_force(double alpha) {
-  return alpha >= 0.0 ? 2.0 / (1.0 + 4.0 * M_PI * M_PI * alpha) : NAN;
+po_crest po_crest_of(const po_scene *scene) {
+  const double wave = scene->wavelength / (2.0 * M_PI), alpha = po_scene_alpha(scene);
+  const double radius = !is_inside(scene)         ? (double)NAN
+                        : po_scene_is_wavy(scene) ? wave * wave / scene->amplitude
+                                                  : INFINITY;
+  return (po_crest){radius, 1.0 / (1.0 / scene->radius + 1.0 / radius),
+                    alpha >= 0.0 ? 2.0 / (1.0 + 4.0 * M_PI * M_PI * alpha) : (double)NAN};
 }
 
 double po_lennard_jones_traction(double gap) {
@@ -115,10 +93,6 @@ double po_lennard_jones_traction(double gap) {
          po_expm1(-6.0 * po_log1p(gap)); /* x^9 - x^3 without cancellation */
 }
 
-double po_lennard_jones_peak_tension(void) {
-  return 16.0 / (9.0 * sqrt(3.0));
-}
-
-double po_lennard_jones_peak_distance(void) {
-  return sqrt(po_cbrt(3.0));
+po_lennard_jones_peak po_lennard_jones_greatest(void) {
+  return (po_lennard_jones_peak){16.0 / (9.0 * sqrt(3.0)), sqrt(po_cbrt(3.0))};
 }

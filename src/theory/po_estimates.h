@@ -25,42 +25,40 @@ double po_kesari_lew_work(const po_scene *scene);
  * eps. */
 po_contact po_kesari_lew_edge(const po_scene *scene, double contact_radius, int side);
 
-/* The ratio A_true/A_app: 1 + pi^2 (A/lambda)^2, which follows from Eq 26 and Eq 27, and 1 + pi
- * (A/lambda)^2, which Eq 28 prints in error. */
-double po_persson_tosatti_area(const po_scene *scene);
-double po_persson_tosatti_area_printed(const po_scene *scene);
-
-/* The effective work of adhesion of Persson and Tosatti in units of w: 1 - 1/(2 pi alpha_KLJ^2),
- * Eq 30, from Eq 25 with the elastic energy of Eq 29 and the area term neglected; may be
- * negative. */
-double po_persson_tosatti_work(const po_scene *scene);
-
-/* As po_persson_tosatti_work with the area term: Eq 25 with the area of Eq 27 and the elastic
- * energy of Eq 29. */
-double po_persson_tosatti_work_with_area(const po_scene *scene);
+/* The theory of Persson and Tosatti. */
+typedef struct {
+  /* The ratio A_true/A_app: 1 + pi^2 (A/lambda)^2, which follows from Eq 26 and Eq 27, and 1 + pi
+   * (A/lambda)^2, which Eq 28 prints in error. */
+  double area, area_printed;
+  /* The effective work of adhesion in w: 1 - 1/(2 pi alpha_KLJ^2), Eq 30, from Eq 25 with the
+   * elastic energy of Eq 29 and the area term neglected; and with this term, Eq 25 with the area of
+   * Eq 27. May be negative. */
+  double work, work_with_area;
+} po_persson_tosatti;
+po_persson_tosatti po_persson_tosatti_of(const po_scene *scene);
 
 /* The pull-off force of Rumpf and Rabinowicz, Eq 20, relative to 2 pi w R (Bradley): 1 for a smooth
- * sphere. Given: alpha >= 0; radius/eps. */
+ * sphere. Figure 7 shows twice this ratio, the force in pi w R. Given: alpha >= 0; radius/eps. */
 double po_rumpf_rabinowicz_ratio(double alpha, double radius);
 
-/* The pull-off force of Rumpf and Rabinowicz in units of pi w R, as on the axis of Figure 7: twice
- * Eq 20. */
-double po_rumpf_rabinowicz_force(double alpha, double radius);
+typedef struct {
+  /* The bound 8.5761 of Eq 4: the gap increases monotonically (Eq 3) if and only if lambda^2/(A R)
+   * is above it. It is 4 pi^2 times the maximum of -sin(x)/x. */
+  double bound;
+  /* r_c = 2 pi A R/lambda, in eps, beyond which the gap increases monotonically (text after Eq 4).
+   */
+  double critical_radius;
+} po_compactness;
+po_compactness po_compactness_of(const po_scene *scene);
 
-/* The bound 8.5761 of Eq 4: the gap increases monotonically (Eq 3) if and only if lambda^2/(A R) is
- * above it. It is 4 pi^2 times the maximum of -sin(x)/x. */
-double po_compactness_bound(void);
-
-/* The critical radius r_c = 2 pi A R/lambda, in eps, beyond which the gap increases monotonically
- * (text after Eq 4). */
-double po_compactness_radius(const po_scene *scene);
-
-/* The rough asperity at the axis: the radius of the crest lambda^2/(4 pi^2 A), Eq 18; the composite
- * radius of crest and sphere R/(1 + 4 pi^2 alpha), Eq 19, both in eps; and the Bradley pull-off
- * force of the composite radius, 2/(1 + 4 pi^2 alpha) in pi w R. */
-double po_crest_radius(const po_scene *scene);
-double po_crest_composite_radius(const po_scene *scene);
-double po_crest_force(double alpha);
+/* The rough asperity at the axis. */
+typedef struct {
+  double radius;           /* of the crest, lambda^2/(4 pi^2 A), Eq 18, eps */
+  double composite_radius; /* of crest and sphere, R/(1 + 4 pi^2 alpha), Eq 19, eps */
+  double force; /* the Bradley pull-off force of the composite radius, 2/(1 + 4 pi^2 alpha), pi w R
+                 */
+} po_crest;
+po_crest po_crest_of(const po_scene *scene);
 
 /* The law of Eq 9: the traction -(8/3) (x^3 - x^9), x = 1/(1 + gap), in w/eps, > 0 compressive.
  * Given: gap H = h/eps - 1 > -1. Accuracy: 1e-15 relative, also for gaps near 0. */
@@ -68,7 +66,9 @@ double po_lennard_jones_traction(double gap);
 
 /* The greatest tension of the law, 16/(9 sqrt(3)) in w/eps, and its separation 3^(1/6) in eps (text
  * after Eq 9). */
-double po_lennard_jones_peak_tension(void);
-double po_lennard_jones_peak_distance(void);
+typedef struct {
+  double tension, distance;
+} po_lennard_jones_peak;
+po_lennard_jones_peak po_lennard_jones_greatest(void);
 
 #endif

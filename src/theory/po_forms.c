@@ -205,34 +205,39 @@ static void kesari_lew_along(const po_form_input *in, po_form_values *v) {
 }
 
 static void persson_tosatti(const po_form_input *in, po_form_values *v) {
+  const po_persson_tosatti p = po_persson_tosatti_of(&in->scene);
   put_limit(in, v, PO_FORM_PURE, "johnson_parameter", po_johnson_parameter(&in->scene));
-  put(v, PO_FORM_PURE, "area_ratio", po_persson_tosatti_area(&in->scene));
-  put(v, PO_FORM_PURE, "area_ratio_printed", po_persson_tosatti_area_printed(&in->scene));
-  put(v, PO_FORM_WORK, "effective_work", po_persson_tosatti_work(&in->scene));
-  put(v, PO_FORM_WORK, "effective_work_with_area", po_persson_tosatti_work_with_area(&in->scene));
+  put(v, PO_FORM_PURE, "area_ratio", p.area);
+  put(v, PO_FORM_PURE, "area_ratio_printed", p.area_printed);
+  put(v, PO_FORM_WORK, "effective_work", p.work);
+  put(v, PO_FORM_WORK, "effective_work_with_area", p.work_with_area);
 }
 
 static void rumpf_rabinowicz(const po_form_input *in, po_form_values *v) {
-  put(v, PO_FORM_PURE, "part_of_bradley", po_rumpf_rabinowicz_ratio(in->alpha, in->scene.radius));
-  put(v, PO_FORM_FORCE, "pull_off_force", po_rumpf_rabinowicz_force(in->alpha, in->scene.radius));
+  const double ratio = po_rumpf_rabinowicz_ratio(in->alpha, in->scene.radius);
+  put(v, PO_FORM_PURE, "part_of_bradley", ratio);
+  put(v, PO_FORM_FORCE, "pull_off_force", 2.0 * ratio);
 }
 
 static void compactness(const po_form_input *in, po_form_values *v) {
-  put(v, PO_FORM_PURE, "bound", po_compactness_bound());
+  const po_compactness c = po_compactness_of(&in->scene);
+  put(v, PO_FORM_PURE, "bound", c.bound);
   put_limit(in, v, PO_FORM_PURE, "wavelength2_over_amplitude_radius", 1.0 / in->alpha);
-  put(v, PO_FORM_LENGTH, "critical_radius", po_compactness_radius(&in->scene));
+  put(v, PO_FORM_LENGTH, "critical_radius", c.critical_radius);
 }
 
 static void crest(const po_form_input *in, po_form_values *v) {
-  put_limit(in, v, PO_FORM_LENGTH, "crest_radius", po_crest_radius(&in->scene));
-  put(v, PO_FORM_LENGTH, "composite_radius", po_crest_composite_radius(&in->scene));
-  put(v, PO_FORM_FORCE, "pull_off_force", po_crest_force(in->alpha));
+  const po_crest c = po_crest_of(&in->scene);
+  put_limit(in, v, PO_FORM_LENGTH, "crest_radius", c.radius);
+  put(v, PO_FORM_LENGTH, "composite_radius", c.composite_radius);
+  put(v, PO_FORM_FORCE, "pull_off_force", c.force);
 }
 
 static void lennard_jones(const po_form_input *in, po_form_values *v) {
+  const po_lennard_jones_peak peak = po_lennard_jones_greatest();
   (void)in;
-  put(v, PO_FORM_TENSION, "peak_tension", po_lennard_jones_peak_tension());
-  put(v, PO_FORM_LENGTH, "peak_distance", po_lennard_jones_peak_distance());
+  put(v, PO_FORM_TENSION, "peak_tension", peak.tension);
+  put(v, PO_FORM_LENGTH, "peak_distance", peak.distance);
 }
 
 static void lennard_jones_along(const po_form_input *in, po_form_values *v) {

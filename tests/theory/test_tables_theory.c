@@ -5,7 +5,6 @@
 #include "po_estimates.h"
 #include "po_guduru.h"
 #include "po_maugis.h"
-#include "po_transition.h"
 #include "po_wavy_rigid.h"
 #include "table.h"
 
