@@ -53,7 +53,7 @@ static const po_option OPTIONS[] = {
 static po_status check_row(const po_result *result, const po_theory *only) {
   const po_theory_row *row = only ? &result->theories[*only] : NULL;
   return row && isnan(row->force) ? po_fail(PO_BAD_INPUT, "theory %s cannot be evaluated: %s",
-                                            po_theory_name(*only), row->reason)
+                                            PO_THEORIES[*only].name, row->reason)
                                   : PO_OK;
 }
 
@@ -76,7 +76,7 @@ static const char *number_or_dash(const char *format, double value, char text[32
 static void print_row(const po_theory_row *row, const po_si_unit *force) {
   static const char *const HOLDS[] = {"unknown", "no", "yes"};
   char deviation[32], error[32];
-  printf("%-26s ", po_theory_words(row->theory));
+  printf("%-26s ", PO_THEORIES[row->theory].words);
   if (isnan(row->force)) {
     printf("not evaluated: %s\n", row->reason);
     return;
@@ -87,7 +87,7 @@ static void print_row(const po_theory_row *row, const po_si_unit *force) {
   printf("%11s %9s %-7s ", number_or_dash("%+.2f %%", 100.0 * row->deviation, deviation),
          number_or_dash("%.1e %%", 100.0 * row->deviation_error, error), HOLDS[row->holds]);
   char number[32];
-  printf("%s %s, expected %s %g\n", po_assumption_words(row->decided_by),
+  printf("%s %s, expected %s %g\n", PO_ASSUMPTIONS[row->decided_by],
          isnan(row->number) ? "unknown" : number_or_dash("%.4g", row->number, number),
          row->at_least ? "at least" : "at most", row->limit);
 }
@@ -105,7 +105,7 @@ static void print_theories(const po_result *result, const po_units *units) {
     print_row(&result->theories[k], units ? &unit : NULL);
   printf("%-26s %s\n", "theory", "source");
   for (size_t k = 0; k < result->theory_count; ++k)
-    printf("%-26s %s\n", po_theory_words(result->theories[k].theory), result->theories[k].source);
+    printf("%-26s %s\n", PO_THEORIES[result->theories[k].theory].words, result->theories[k].source);
 }
 
 static po_status print(const po_solve_line *line, const po_result *result) {

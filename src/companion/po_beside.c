@@ -251,7 +251,7 @@ static po_theory_row row_of(po_theory theory, const po_request *request, const p
                        .deviation_error = NAN,
                        .number = NAN,
                        .limit = NAN};
-  snprintf(row.source, sizeof row.source, "%s", po_theory_source(theory));
+  snprintf(row.source, sizeof row.source, "%s", PO_THEORIES[theory].source);
   if (is_refused(THEORIES[theory].needs, &request->scene, &row))
     return row;
   const po_status status = evaluate(theory, request, &row.force);

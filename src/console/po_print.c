@@ -284,7 +284,7 @@ static void print_theories(const po_result *result) {
     if (isfinite(result->theories[KNOWN[k]].deviation))
       insert(&result->theories[KNOWN[k]], sorted, &count);
   for (size_t k = 0; k < count && k < MOST_NAMED; ++k)
-    printf("%s%s %+.1f %%", k ? ", " : "theories ", po_theory_words(sorted[k]->theory),
+    printf("%s%s %+.1f %%", k ? ", " : "theories ", PO_THEORIES[sorted[k]->theory].words,
            100.0 * sorted[k]->deviation);
   if (count)
     printf("; pulloff compare says more\n");

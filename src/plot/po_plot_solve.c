@@ -260,7 +260,7 @@ po_plot_picture po_plot_of_theories(const po_request *request, const po_result *
   }
   for (size_t k = 0; k < o->theory_count; ++k)
     po_text_add(&panel->y.tics, "%s'%s%s' %zu", k ? ", " : "",
-                po_theory_words(o->theories[k].theory),
+                PO_THEORIES[o->theories[k].theory].words,
                 isfinite(o->theories[k].force) ? "" : " (none)", o->theory_count - k);
   if (panel->y.tics.failed)
     picture.status = PO_NO_MEMORY;

@@ -85,8 +85,4 @@ typedef struct {
   double seconds; /* wall time of the diagnostics */
 } po_diagnostics;
 
-/* Number of decimal digits that are unchanged by a relative change, at most those of a double; NAN
- * for NAN. */
-double po_digits_left(double change);
-
 #endif

@@ -7,10 +7,6 @@
 #include "po_result_rows.h"
 #include "po_row_cells.h"
 
-double po_digits_left(double change) {
-  return isnan(change) ? change : -po_log10(fmax(fabs(change), 0.5 * DBL_EPSILON));
-}
-
 // clang-format off
 static const char *const KEPT[] = {[PO_KEPT_START] = "start", [PO_KEPT_FOLD] = "fold",
                                    [PO_KEPT_PULL_OFF] = "pull_off", [PO_KEPT_END] = "end", NULL};
@@ -47,12 +43,18 @@ static const po_block SENSITIVITY_ROWS = BLOCK("sensitivity", SENSITIVITY, NULL)
 #undef S
 
 #define S po_moved
+/* Number of decimal digits that are unchanged by a relative change, at most those of a double; NAN
+ * for NAN. */
+static double digits_left(double change) {
+  return isnan(change) ? change : -po_log10(fmax(fabs(change), 0.5 * DBL_EPSILON));
+}
+
 static double digits_kept(const void *of) {
-  return po_digits_left(((const S *)of)->change);
+  return digits_left(((const S *)of)->change);
 }
 
 static double digits_predicted(const void *of) {
-  return po_digits_left(((const S *)of)->predicted);
+  return digits_left(((const S *)of)->predicted);
 }
 
 static const po_row MOVED[] = {

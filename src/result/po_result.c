@@ -20,18 +20,13 @@ po_result po_result_none(void) {
                                      .moved = {.change = NAN, .excess = NAN, .predicted = NAN}}};
 }
 
-void po_contact_annuli_clear(po_contact_annuli *a) {
-  free(a->compressed);
-  free(a->held);
-  *a = (po_contact_annuli){NULL, NULL, 0, 0};
-}
-
 void po_result_clear(po_result *result) {
   free(result->folds);
   free(result->extrema);
   free(result->curve);
   free(result->profile);
-  po_contact_annuli_clear(&result->annuli);
+  free(result->annuli.compressed);
+  free(result->annuli.held);
   po_hysteresis_clear(&result->hysteresis);
   po_staircases_clear(&result->staircase);
   po_hysteresis_clear(&result->theory.hysteresis);

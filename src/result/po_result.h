@@ -75,8 +75,6 @@ typedef struct {
   size_t compressed_count, held_count;
 } po_contact_annuli;
 
-void po_contact_annuli_clear(po_contact_annuli *annuli);
-
 /* Deterministic counters of work, and the time. */
 typedef struct {
   uint64_t points;             /* converged equilibria */
@@ -113,12 +111,6 @@ typedef enum {
   PO_END_SEARCHED,   /* at the hardest preload of a search, see po_stopping.h */
   PO_END_ASKED,      /* at the approach_end of the request */
 } po_end_cause;
-
-/* "none", "compressed", "preload", "complete", "searched", "approach_end". */
-const char *po_end_cause_name(po_end_cause cause);
-
-/* The cause with a given name. Returned: false if there is none. */
-bool po_end_cause_find(const char *name, po_end_cause *cause);
 
 typedef struct {
   po_status status; /* PO_OK: complete; otherwise the results are those found before the failure */

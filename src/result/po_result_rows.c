@@ -178,27 +178,16 @@ static const char *const CAUSES[] = {
   [PO_END_COMPLETE] = "complete", [PO_END_SEARCHED] = "searched", [PO_END_ASKED] = "approach_end",
   NULL};
 
-const char *po_end_cause_name(po_end_cause cause) {
-  return CAUSES[cause];
-}
-
-bool po_end_cause_find(const char *name, po_end_cause *cause) {
-  for (int k = 0; name && CAUSES[k]; ++k)
-    if (strcmp(name, CAUSES[k]) == 0) {
-      *cause = (po_end_cause)k;
-      return true;
-    }
-  return false;
-}
-
 static const char *why_of(const void *of) {
   const S *o = of;
   return o->ended.cause == PO_END_NONE ? po_status_name(o->status) : CAUSES[o->ended.cause];
 }
 
 static void take_why(void *of, const char *word) {
-  if (!po_end_cause_find(word, &((S *)of)->ended.cause)) /* the status states the reason */
-    ((S *)of)->ended.cause = PO_END_NONE;
+  ((S *)of)->ended.cause = PO_END_NONE; /* the status states the reason */
+  for (int k = 0; word && CAUSES[k]; ++k)
+    if (strcmp(word, CAUSES[k]) == 0)
+      ((S *)of)->ended.cause = (po_end_cause)k;
 }
 
 static const po_row ENDED[] = {

@@ -55,12 +55,13 @@ typedef struct {
   char reason[256]; /* why it cannot be evaluated; "" */
 } po_theory_row;
 
-/* The name, "kesari-lew", the words, "Kesari-Lew", and the source of a theory; the words of a
+/* The name, "kesari-lew", the words, "Kesari-Lew", and the source of each theory; the words of each
  * number. */
-const char *po_theory_name(po_theory theory);
-const char *po_theory_words(po_theory theory);
-const char *po_theory_source(po_theory theory);
-const char *po_assumption_words(po_assumption assumption);
+typedef struct {
+  const char *name, *words, *source;
+} po_theory_text;
+extern const po_theory_text PO_THEORIES[PO_THEORY_COUNT];
+extern const char *const PO_ASSUMPTIONS[PO_ASSUMPTION_COUNT];
 
 /* Finds the theory with a name. Returned: false if there is none. */
 bool po_theory_find(const char *name, po_theory *theory);

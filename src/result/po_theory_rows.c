@@ -7,26 +7,13 @@
 #include "po_row_cells.h"
 
 #define NAME(key, name, ...) [PO_THEORY_##key] = name,
-#define WORDS(key, name, words, ...) [PO_THEORY_##key] = words,
-#define SOURCE(key, name, words, source) [PO_THEORY_##key] = source,
+#define DESCRIBED(key, name, words, source) [PO_THEORY_##key] = {name, words, source},
 #define LISTED(key, name, ...) ", " name
 static const char *const NAMES[] = {PO_THEORY_ROWS(NAME) NULL};
 
 const char *const PO_THEORY_NAMES = &(PO_THEORY_ROWS(LISTED))[2];
 
-const char *po_theory_name(po_theory theory) {
-  return NAMES[theory];
-}
-
-const char *po_theory_words(po_theory theory) {
-  static const char *const TEXTS_OF[] = {PO_THEORY_ROWS(WORDS)};
-  return TEXTS_OF[theory];
-}
-
-const char *po_theory_source(po_theory theory) {
-  static const char *const SOURCES[] = {PO_THEORY_ROWS(SOURCE)};
-  return SOURCES[theory];
-}
+const po_theory_text PO_THEORIES[] = {PO_THEORY_ROWS(DESCRIBED)};
 
 bool po_theory_find(const char *name, po_theory *theory) {
   for (int k = 0; k < PO_THEORY_COUNT; ++k)
@@ -41,10 +28,7 @@ bool po_theory_find(const char *name, po_theory *theory) {
 #define MEANING(key, name, words) [PO_ASSUMES_##key] = words,
 static const char *const NUMBERS[] = {PO_ASSUMPTION_ROWS(KEY) NULL};
 
-const char *po_assumption_words(po_assumption assumption) {
-  static const char *const MEANINGS[] = {PO_ASSUMPTION_ROWS(MEANING)};
-  return MEANINGS[assumption];
-}
+const char *const PO_ASSUMPTIONS[] = {PO_ASSUMPTION_ROWS(MEANING)};
 
 static const char *const HOLDS[] = {"unknown", "no", "yes", NULL};
 static const char *const SIDES[] = {"at_most", "at_least", NULL};

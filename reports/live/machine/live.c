@@ -101,9 +101,9 @@ static json_t *words_of(const po_result *result) {
   json_t *words = po_json_empty_array();
   for (size_t k = 0; k < result->theory_count; ++k) {
     const po_theory_row *row = &result->theories[k];
-    po_json_append(
-        &words, PO_JSON_OBJECT({"theory", po_json_text(po_theory_words(row->theory))},
-                               {"decided_by", po_json_text(po_assumption_words(row->decided_by))}));
+    po_json_append(&words,
+                   PO_JSON_OBJECT({"theory", po_json_text(PO_THEORIES[row->theory].words)},
+                                  {"decided_by", po_json_text(PO_ASSUMPTIONS[row->decided_by])}));
   }
   return words;
 }
