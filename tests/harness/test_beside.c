@@ -26,7 +26,7 @@ static po_request request_of_tabor(double tabor, double amplitude) {
 START_TEST(deviation_and_its_error) {
   const po_request request = request_of_tabor(2.0, 0.0);
   po_result result = result_of(1.0);
-  ck_assert_int_eq(po_beside_theories(&request, &result), PO_OK);
+  ck_assert_int_eq(PO_COMPANION_JKR.theories(&request, &result), PO_OK);
   ck_assert_uint_eq(result.theory_count, PO_THEORY_COUNT);
   const po_theory_row *rigid = &result.theories[PO_THEORY_RIGID],
                       *jkr = &result.theories[PO_THEORY_JKR];
@@ -55,7 +55,7 @@ START_TEST(assumption_that_decides) {
                {4.0, NAN, PO_HOLDS_NO, PO_ASSUMES_CREST_TABOR}};
   const po_request request = request_of_tabor(CASES[_i].tabor, 0.02);
   po_result result = result_of(CASES[_i].full_disc);
-  ck_assert_int_eq(po_beside_theories(&request, &result), PO_OK);
+  ck_assert_int_eq(PO_COMPANION_JKR.theories(&request, &result), PO_OK);
   const po_theory_row *jkr = &result.theories[PO_THEORY_JKR];
   ck_assert_int_eq(jkr->holds, CASES[_i].holds);
   ck_assert_int_eq(jkr->decided_by, CASES[_i].decided_by);
@@ -71,7 +71,7 @@ START_TEST(one_that_fails_counts_beside_one_that_is_unknown) {
   const po_request request = request_of_tabor(40.0, 0.02);
   po_result result = result_of(NAN);
   result.pull_off.contact_radius = 12.0;
-  ck_assert_int_eq(po_beside_theories(&request, &result), PO_OK);
+  ck_assert_int_eq(PO_COMPANION_JKR.theories(&request, &result), PO_OK);
   const po_theory_row *row = &result.theories[PO_THEORY_KESARI_LEW];
   ck_assert_int_eq(row->holds, PO_HOLDS_NO);
   ck_assert_int_eq(row->decided_by, PO_ASSUMES_WAVES);
