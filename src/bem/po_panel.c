@@ -24,7 +24,8 @@ static const double USUAL_DECAY = 6.0;
 
 double po_panel_decay(const po_scene *scene) {
   const po_law_far far = po_law_far_field(&scene->law);
-  return isinf(far.exponent) ? USUAL_DECAY : po_profile_growth(&scene->profile) * far.exponent;
+  return isinf(far.exponent) ? USUAL_DECAY
+                             : po_profile_shape(&scene->profile).growth * far.exponent;
 }
 
 /* x^(decay - 3), and x^decay */

@@ -60,7 +60,7 @@ static po_status curve_of(const po_scene *scene, jkr_curve *c, po_contact *least
                    .approach_rate = po_guduru_approach_rate,
                    .load_rate = po_guduru_load_rate,
                    .size = po_scene_gamma(scene),
-                   .kink = po_profile_kink(&scene->profile),
+                   .kink = po_profile_shape(&scene->profile).kink,
                    .long_wave = wavy ? scene->wavelength : 0.0,
                    .most = SIZE_MAX};
   c->wave = wavy ? fmin(scene->wavelength, c->size) : c->size;

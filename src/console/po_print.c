@@ -218,8 +218,8 @@ static void print_table(const po_profile *profile) {
   printf(
       "table    %zu rows to radius %.6g, beyond which the gap is continued as r^%.4g; its spline "
       "is uncertain by %.1e epsilon\n",
-      po_profile_table_points(table), po_profile_end(profile), po_profile_growth(profile),
-      table->uncertainty);
+      po_profile_table_points(table), po_profile_shape(profile).end,
+      po_profile_shape(profile).growth, table->uncertainty);
   print_smoothing(profile);
 }
 

@@ -80,7 +80,7 @@ static po_prediction begin(const po_scene *scene, double domain, const po_soluti
                            const po_solution *b) {
   po_prediction p = {.scene = scene, .domain = domain, .a = a, .b = b};
   p.slope_jump = po_profile_slope_jump(&scene->profile, scene->radius);
-  p.kink = p.slope_jump != 0.0 ? po_profile_kink(&scene->profile) : INFINITY;
+  p.kink = p.slope_jump != 0.0 ? po_profile_shape(&scene->profile).kink : INFINITY;
   p.edges = a->edges;
   p.paired = b && b->edges.all == a->edges.all;
   if (p.paired)

@@ -249,7 +249,7 @@ json_t *po_json_input(const po_request *request) {
 static json_t *table_of(const po_profile *profile) {
   const po_profile_table *table = profile->table;
   json_t *object = PO_JSON_OBJECT({"rows", po_json_count(po_profile_table_points(table))},
-                                  {"end_radius", po_json_number(po_profile_end(profile))},
+                                  {"end_radius", po_json_number(po_profile_shape(profile).end)},
                                   {"exponent", po_json_number(table->growth)},
                                   {"uncertainty", po_json_number(table->uncertainty)},
                                   {"sha256", po_json_text(table->digest)});

@@ -159,7 +159,7 @@ static bool set_name(po_request *request, po_key key, const char *text) {
 /* A table that was read before is read again in the new unit, or is smoothed. */
 static bool set_of_table(po_request *request, po_profile_parameter parameter, double value) {
   po_profile profile = request->scene.profile;
-  po_profile_set_parameter(&profile, parameter, value);
+  profile.parameter[parameter] = value;
   const bool set = !po_profile_is_table(&profile) ||
                    po_profile_set_file(&profile, po_profile_file(&profile)) == PO_OK;
   if (set)

@@ -135,7 +135,7 @@ static integrals finer_integrals(const po_scene *scene, const panel *p, const pa
   if (!po_profile_has_kink_between(profile, p->begin, p->begin + p->size))
     return by_parts(scene, p, halves);
   parts sides;
-  fill_parts((po_profile_kink(profile) - p->begin) / p->size, &sides);
+  fill_parts((po_profile_shape(profile).kink - p->begin) / p->size, &sides);
   return by_parts(scene, p, &sides);
 }
 
@@ -156,7 +156,7 @@ static double of_corner(const po_scene *scene, const panel *p, bool at_end, doub
 /* That of both ends of a panel. */
 static double of_corners(const po_scene *scene, const panel *p) {
   const po_profile *profile = &scene->profile;
-  const double kink = po_profile_kink(profile), end = p->begin + p->size;
+  const double kink = po_profile_shape(profile).kink, end = p->begin + p->size;
   double sum = 0.0;
   if (p->begin == 0.0)
     sum += of_corner(scene, p, false, po_initial_gap_slope(scene, 0.0));

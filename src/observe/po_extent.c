@@ -51,7 +51,7 @@ static double with_kink(double kink, double least) {
 double po_observe_domain(const po_scene *scene, double core) {
   if (isfinite(scene->outer_radius))
     return core;
-  const double kink = po_profile_kink(&scene->profile);
+  const double kink = po_profile_shape(&scene->profile).kink;
   const double averaging = po_averaging_radius(scene, po_averaging_phase(scene, core));
   /* the phase of the waves at the end of the domain matters unless nothing acts beyond */
   const bool free = !po_scene_is_wavy(scene) || isinf(po_law_far_field(&scene->law).exponent);

@@ -277,12 +277,12 @@ static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_
 /* Whether the trace ends at a point; stores the cause. */
 static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radius) {
   const po_scene *scene = &r->request->scene;
-  if (!r->status && contact_radius > po_profile_end(&scene->profile))
+  if (!r->status && contact_radius > po_profile_shape(&scene->profile).end)
     r->status = po_fail(PO_BAD_INPUT,
                         "the table of the profile ends at r = %g, before the contact does: its "
                         "radius is %.6g at approach %.6g; expected rows for larger radii, or a "
                         "smaller preload",
-                        po_profile_end(&scene->profile), contact_radius, p->approach);
+                        po_profile_shape(&scene->profile).end, contact_radius, p->approach);
   if (!r->status && p->gap && po_observe_is_cut_off(scene, contact_radius, r->surface->core_radius))
     note_cut_off(r, p, contact_radius);
   else if (!r->status)

@@ -63,7 +63,7 @@ double po_initial_gap_radius(const po_scene *scene, double gap) {
 }
 
 double po_initial_gap_detail(const po_scene *scene) {
-  double length = po_profile_detail(&scene->profile);
+  double length = po_profile_shape(&scene->profile).detail;
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
     length = fmin(length, po_scene_wave(scene, k).length);
   return length;

@@ -46,10 +46,6 @@ bool po_profile_set(po_profile *profile, const char *text) {
   return false;
 }
 
-void po_profile_set_parameter(po_profile *profile, po_profile_parameter parameter, double value) {
-  profile->parameter[parameter] = value;
-}
-
 po_status po_profile_set_file(po_profile *profile, const char *path) {
   if (strlen(path) > PO_PROFILE_PATH_LENGTH)
     return po_fail(PO_BAD_INPUT, "the path of a profile has %zu bytes: expected at most %d",
@@ -154,15 +150,19 @@ double po_profile_radius_of_gap(const po_profile *profile, double radius, double
   return kind_of(profile)->radius_of_gap(profile, radius, gap);
 }
 
-double po_profile_kink(const po_profile *profile) {
-  return kind_of(profile)->kink ? kind_of(profile)->kink(profile) : (double)NAN;
+po_shape po_profile_shape(const po_profile *profile) {
+  po_shape shape = {
+      .kink = (double)NAN, .growth = 2.0, .end = INFINITY, .detail = INFINITY, .is_convex = true};
+  if (kind_of(profile)->shape)
+    kind_of(profile)->shape(profile, &shape);
+  return shape;
 }
 
 /* Difference of two slopes, relative to one farther out, that is due to rounding. */
 static const double ROUNDING = 1e-9;
 
 double po_profile_slope_jump(const po_profile *profile, double radius) {
-  const double kink = po_profile_kink(profile);
+  const double kink = po_profile_shape(profile).kink;
   if (isnan(kink))
     return 0.0;
   const double jump = po_profile_slope(profile, radius, nextafter(kink, INFINITY)) -
@@ -175,31 +175,15 @@ double po_profile_slope_jump(const po_profile *profile, double radius) {
 static const double AT_END = 1e-9;
 
 bool po_profile_has_kink_between(const po_profile *profile, double begin, double end) {
-  const double kink = po_profile_kink(profile), beside = AT_END * (end - begin);
+  const double kink = po_profile_shape(profile).kink, beside = AT_END * (end - begin);
   return kink > begin + beside && kink < end - beside;
 }
 
 double po_profile_next_joint(const po_profile *profile, double r) {
   if (kind_of(profile)->next_joint)
     return kind_of(profile)->next_joint(profile, r);
-  const double kink = po_profile_kink(profile);
+  const double kink = po_profile_shape(profile).kink;
   return kink > r ? kink : INFINITY;
-}
-
-double po_profile_growth(const po_profile *profile) {
-  return kind_of(profile)->growth ? kind_of(profile)->growth(profile) : 2.0;
-}
-
-double po_profile_end(const po_profile *profile) {
-  return kind_of(profile)->end ? kind_of(profile)->end(profile) : INFINITY;
-}
-
-double po_profile_detail(const po_profile *profile) {
-  return kind_of(profile)->detail ? kind_of(profile)->detail(profile) : INFINITY;
-}
-
-bool po_profile_is_convex(const po_profile *profile) {
-  return kind_of(profile)->is_convex ? kind_of(profile)->is_convex(profile) : true;
 }
 
 po_status po_profile_require_positive(const po_profile *profile, po_profile_parameter parameter) {

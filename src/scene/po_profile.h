@@ -68,9 +68,6 @@ po_profile po_profile_sphere(void);
  * the profile is unchanged. Its parameters are checked by po_profile_check. */
 bool po_profile_set(po_profile *profile, const char *text);
 
-/* Sets one parameter. */
-void po_profile_set_parameter(po_profile *profile, po_profile_parameter parameter, double value);
-
 /* Sets the profile of a table in a CSV file with the columns r and gap (po_profile_table.h), in
  * units of the parameter PO_TABLE_SCALE, which is 1 unless it was set before. Status:
  * PO_CANNOT_READ, with file and line; PO_BAD_INPUT if the path is longer than
@@ -117,29 +114,24 @@ double po_profile_gap_beyond(const po_profile *profile, double radius, double r)
 /* The largest radius at which f is not above a gap >= 0. */
 double po_profile_radius_of_gap(const po_profile *profile, double radius, double gap);
 
+/* The numbers of a profile. */
+typedef struct {
+  double kink;   /* the radius at which the slope or the curvature of f jumps; NAN: none */
+  double growth; /* N, with f ~ r^N far out */
+  double end;    /* the radius from which on f is not known and is continued by a power of r;
+                    INFINITY but for a table */
+  double detail; /* a length, in which f has at most one extremum; INFINITY if f rises everywhere */
+  bool is_convex; /* by JKR theory the load of a convex profile without waves has one minimum */
+} po_shape;
+po_shape po_profile_shape(const po_profile *profile);
+
 /* The smallest radius > r at which f is not analytic; INFINITY if there is none: the end of a flat
  * part, or the next row of a table. */
 double po_profile_next_joint(const po_profile *profile, double r);
 
-/* The radius at which the slope or the curvature of f jumps; NAN if there is none. */
-double po_profile_kink(const po_profile *profile);
-/* The jump of the slope there; 0 if only the curvature jumps, or if there is no kink. */
+/* The jump of the slope at the kink; 0 if only the curvature jumps, or if there is no kink. */
 double po_profile_slope_jump(const po_profile *profile, double radius);
 /* Returned: whether the kink is between two radii, and at neither of them but for rounding. */
 bool po_profile_has_kink_between(const po_profile *profile, double begin, double end);
-
-/* N, with f ~ r^N far out. */
-double po_profile_growth(const po_profile *profile);
-
-/* The radius from which on f is not known and is continued by a power of r; INFINITY but for a
- * table. */
-double po_profile_end(const po_profile *profile);
-
-/* A length, in which f has at most one extremum; INFINITY if f rises everywhere. */
-double po_profile_detail(const po_profile *profile);
-
-/* Whether f is convex. By JKR theory the load of a convex profile without waves then has one
- * minimum. */
-bool po_profile_is_convex(const po_profile *profile);
 
 #endif

@@ -35,6 +35,10 @@ static double punch_radius_of_gap(const po_profile *profile, double radius, doub
   return punch_flat(profile) + sqrt(2.0 * punch_edge(profile) * gap);
 }
 
+static void punch_shape(const po_profile *profile, po_shape *shape) {
+  shape->kink = punch_flat(profile);
+}
+
 const po_profile_kind PO_PUNCH = {.name = "punch",
                                   .parameters = 2,
                                   .first = PO_PUNCH_B,
@@ -42,7 +46,7 @@ const po_profile_kind PO_PUNCH = {.name = "punch",
                                   .slope = punch_slope,
                                   .gap_exact = punch_exact,
                                   .radius_of_gap = punch_radius_of_gap,
-                                  .kink = punch_flat};
+                                  .shape = punch_shape};
 
 static double cut_flat(const po_profile *profile) {
   return profile->parameter[PO_TRUNCATED_B];
@@ -76,6 +80,10 @@ static double cut_radius_of_gap(const po_profile *profile, double radius, double
   return sqrt(b * b + 2.0 * cut_radius(profile) * gap);
 }
 
+static void cut_shape(const po_profile *profile, po_shape *shape) {
+  shape->kink = cut_flat(profile);
+}
+
 const po_profile_kind PO_TRUNCATED = {.name = "truncated",
                                       .parameters = 2,
                                       .first = PO_TRUNCATED_B,
@@ -83,4 +91,4 @@ const po_profile_kind PO_TRUNCATED = {.name = "truncated",
                                       .slope = cut_slope,
                                       .gap_exact = cut_exact,
                                       .radius_of_gap = cut_radius_of_gap,
-                                      .kink = cut_flat};
+                                      .shape = cut_shape};

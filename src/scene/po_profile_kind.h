@@ -17,12 +17,10 @@ struct po_profile_kind {
   po_two (*gap_exact)(const po_profile *profile, double radius, double r);
   double (*gap_beyond)(const po_profile *profile, double radius, double r); /* NULL: f rises */
   double (*radius_of_gap)(const po_profile *profile, double radius, double gap);
-  double (*kink)(const po_profile *profile);                 /* NULL: there is none */
+  /* Sets the numbers that are not those of a profile as r^2: known everywhere, convex, without kink
+   * and without detail. NULL: there are none. */
+  void (*shape)(const po_profile *profile, po_shape *shape);
   double (*next_joint)(const po_profile *profile, double r); /* NULL: only the kink */
-  double (*growth)(const po_profile *profile);               /* NULL: 2 */
-  double (*end)(const po_profile *profile);                  /* NULL: f is known everywhere */
-  double (*detail)(const po_profile *profile);               /* NULL: f rises everywhere */
-  bool (*is_convex)(const po_profile *profile);              /* NULL: it is */
 };
 
 #define PO_PROFILE_KIND(profile, text) extern const po_profile_kind PO_##profile;

@@ -77,6 +77,10 @@ static double power_radius_of_gap(const po_profile *profile, double radius, doub
   return po_pow(gap / factor(profile), 1.0 / exponent(profile));
 }
 
+static void power_shape(const po_profile *profile, po_shape *shape) {
+  shape->growth = exponent(profile);
+}
+
 const po_profile_kind PO_POWER = {.name = "power",
                                   .parameters = 2,
                                   .first = PO_POWER_C,
@@ -85,7 +89,7 @@ const po_profile_kind PO_POWER = {.name = "power",
                                   .slope = power_slope,
                                   .gap_exact = power_exact,
                                   .radius_of_gap = power_radius_of_gap,
-                                  .growth = exponent};
+                                  .shape = power_shape};
 
 static double tangent(const po_profile *profile) {
   return profile->parameter[PO_CONE_T];
@@ -112,9 +116,9 @@ static double cone_radius_of_gap(const po_profile *profile, double radius, doubl
   return gap / tangent(profile);
 }
 
-static double cone_growth(const po_profile *profile) {
+static void cone_shape(const po_profile *profile, po_shape *shape) {
   (void)profile;
-  return 1.0;
+  shape->growth = 1.0;
 }
 
 const po_profile_kind PO_CONE = {.name = "cone",
@@ -124,4 +128,4 @@ const po_profile_kind PO_CONE = {.name = "cone",
                                  .slope = cone_slope,
                                  .gap_exact = cone_exact,
                                  .radius_of_gap = cone_radius_of_gap,
-                                 .growth = cone_growth};
+                                 .shape = cone_shape};

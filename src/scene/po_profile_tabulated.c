@@ -15,10 +15,6 @@ static size_t interval_of(const po_profile_table *t, double r) {
   return po_order_last_up_to(t->r, t->rows - 1, r);
 }
 
-static double end(const po_profile *profile) {
-  return profile->table->r[profile->table->rows - 1];
-}
-
 static double gap(const po_profile *profile, double radius, double r) {
   (void)radius;
   const po_profile_table *t = profile->table;
@@ -103,16 +99,12 @@ static double next_joint(const po_profile *profile, double r) {
   return r < t->r[t->rows - 1] ? t->r[interval_of(t, r) + 1] : INFINITY;
 }
 
-static double growth(const po_profile *profile) {
-  return profile->table->growth;
-}
-
-static double detail(const po_profile *profile) {
-  return profile->table->detail;
-}
-
-static bool is_convex(const po_profile *profile) {
-  return profile->table->is_convex;
+static void shape(const po_profile *profile, po_shape *of) {
+  const po_profile_table *t = profile->table;
+  of->growth = t->growth;
+  of->end = t->r[t->rows - 1];
+  of->detail = t->detail;
+  of->is_convex = t->is_convex;
 }
 
 static po_status check(const po_profile *profile) {
@@ -153,8 +145,5 @@ const po_profile_kind PO_TABLE = {.name = "table",
                                   .gap_exact = gap_exact,
                                   .gap_beyond = gap_beyond,
                                   .radius_of_gap = radius_of_gap,
-                                  .next_joint = next_joint,
-                                  .growth = growth,
-                                  .end = end,
-                                  .detail = detail,
-                                  .is_convex = is_convex};
+                                  .shape = shape,
+                                  .next_joint = next_joint};

@@ -162,7 +162,7 @@ static double averaging_error(const po_scene *scene, double r) {
   const po_law_far far = po_law_far_field(&scene->law);
   const double gap = po_initial_gap_beyond(scene, r), m = far.exponent;
   const double integrand = 2.0 / scene->radius * far.factor * po_pow(gap, -m) * r;
-  const double slope = integrand * (m * po_profile_growth(&scene->profile) + 1.0) / r;
+  const double slope = integrand * (m * po_profile_shape(&scene->profile).growth + 1.0) / r;
   const po_wave main = main_wave(scene);
   double error = 0.0;
   for (size_t k = 0; k < po_scene_waves(scene); ++k) {

@@ -25,7 +25,7 @@ static const double LEAST_EXPONENT = 2.0, SLOWEST_DECAY = 3.0 - 1e-9;
 
 static po_status check_far_field(const po_scene *scene) {
   const po_law_far far = po_law_far_field(&scene->law);
-  const double growth = po_profile_growth(&scene->profile);
+  const double growth = po_profile_shape(&scene->profile).growth;
   if (isfinite(scene->outer_radius) || isinf(far.exponent))
     return PO_OK;
   if (!(far.exponent > LEAST_EXPONENT))
@@ -146,7 +146,7 @@ bool po_scene_set_waves(po_scene *scene, const char *text) {
 }
 
 bool po_scene_is_simple(const po_scene *scene) {
-  return !po_scene_is_wavy(scene) && po_profile_is_convex(&scene->profile);
+  return !po_scene_is_wavy(scene) && po_profile_shape(&scene->profile).is_convex;
 }
 
 bool po_scene_is_of_paper(const po_scene *scene) {
@@ -155,7 +155,7 @@ bool po_scene_is_of_paper(const po_scene *scene) {
 
 bool po_scene_has_infinite_energy(const po_scene *scene) {
   const double fall = po_law_far_field(&scene->law).exponent - 1.0;
-  return isinf(scene->outer_radius) && fall * po_profile_growth(&scene->profile) <= 2.0;
+  return isinf(scene->outer_radius) && fall * po_profile_shape(&scene->profile).growth <= 2.0;
 }
 
 double po_scene_load_unit(const po_scene *scene) {

@@ -34,8 +34,7 @@ static void scene_at(void *data, double at, po_scene *scene) {
   }
   for (int p = 0; p < PO_PROFILE_PARAMETER_COUNT; ++p)
     if (po_profile_has(&a->profile, (po_profile_parameter)p))
-      po_profile_set_parameter(&scene->profile, (po_profile_parameter)p,
-                               between(a->profile.parameter[p], b->profile.parameter[p], part));
+      scene->profile.parameter[p] = between(a->profile.parameter[p], b->profile.parameter[p], part);
   scene->outer_radius = between(a->outer_radius, b->outer_radius, part);
   for (int p = 0; p < PO_LAW_PARAMETER_COUNT; ++p)
     if (po_law_has(&a->law, (po_law_parameter)p))

@@ -275,7 +275,7 @@ double po_abel_greatest_drop(const po_scene *scene, double low, double high) {
 double po_abel_greatest_rate(const po_scene *scene, double x) {
   const po_profile_table *t = table_of(scene);
   double sum = t ? greatest_rate(t, x) : po_abel_of_profile(scene, x).rate;
-  if (x > po_profile_kink(&scene->profile))
+  if (x > po_profile_shape(&scene->profile).kink)
     sum = INFINITY; /* the rate may fall beyond a kink */
   /* H0(y) + y (2/pi - H1(y)) <= (4/pi) y: its series begins so, and the largest ratio at 2e6 points
    * up to y = 3000 is that at 0 */

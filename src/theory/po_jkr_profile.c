@@ -138,24 +138,23 @@ enum { MOST_EDGES = 3 };
  * kink between. */
 static po_status find_edges(const curve *c, double edge[MOST_EDGES], size_t *edges) {
   const po_scene *scene = c->scene;
-  const double growth = po_profile_growth(&scene->profile), end = po_profile_end(&scene->profile);
+  const po_shape shape = po_profile_shape(&scene->profile);
   if (!is_inside(scene, 0.0))
     return po_fail(PO_BAD_INPUT, "tabor is %g: expected a number > 0 for the JKR theory",
                    scene->tabor);
-  if (!(growth > LEAST_GROWTH))
+  if (!(shape.growth > LEAST_GROWTH))
     return po_fail(PO_BAD_INPUT,
                    "the profile grows as r^%g far out: by the JKR theory its pull-off force is "
                    "infinite; expected a growth faster than r^%g",
-                   growth, LEAST_GROWTH);
-  const double kink = po_profile_kink(&scene->profile);
+                   shape.growth, LEAST_GROWTH);
   edge[0] = 0.5 * po_jkr_profile_first(scene);
-  double outer = fmax(edge[0], 2.0 * kink); /* of NAN the other */
-  if (isfinite(end))
-    outer = fmax(outer, 2.0 * end);
+  double outer = fmax(edge[0], 2.0 * shape.kink); /* of NAN the other */
+  if (isfinite(shape.end))
+    outer = fmax(outer, 2.0 * shape.end);
   outer = last_radius(c, outer);
   *edges = 1;
-  if (kink > edge[0])
-    edge[(*edges)++] = kink;
+  if (shape.kink > edge[0])
+    edge[(*edges)++] = shape.kink;
   edge[(*edges)++] = outer;
   return edge[0] > 0.0 && outer < LARGEST && isfinite(value_at(outer, c))
              ? PO_OK
@@ -297,7 +296,7 @@ enum { MOST_LOOKS = 1 << 18 };
  * none; NaN if it takes too many looks. */
 static double first_below(const curve *c, double a, double approach) {
   const po_scene *scene = c->scene;
-  const double end = po_profile_end(&scene->profile);
+  const double end = po_profile_shape(&scene->profile).end;
   const double whole = fmax(isfinite(end) ? 2.0 * end : 0.0, po_abel_longest_wave(scene));
   double x = a;
   for (int k = 0; k < MOST_LOOKS; ++k) {

@@ -226,8 +226,8 @@ static const double BESIDE = 1e-12;
  * waves, is more than the tension, whose part grows more slowly. */
 static bool is_beyond(const search *s, const po_maugis *state) {
   const po_scene *scene = s->scene;
-  const double a = state->contact.contact_radius, end = po_profile_end(&scene->profile);
-  if (a < po_abel_longest_wave(scene) || a < 2.0 * po_profile_kink(&scene->profile) ||
+  const double a = state->contact.contact_radius, end = po_profile_shape(&scene->profile).end;
+  if (a < po_abel_longest_wave(scene) || a < 2.0 * po_profile_shape(&scene->profile).kink ||
       (isfinite(end) && a < 2.0 * end))
     return false;
   const po_abel all = po_abel_at(scene, a), profile = po_abel_of_profile(scene, a);
@@ -240,7 +240,7 @@ static bool is_beyond(const search *s, const po_maugis *state) {
 
 static double next_radius(const search *s, double a) {
   const double next = a + fmin(STEP * a, 0.5 * PART_OF_WAVE * shortest_wave(s->scene)),
-               kink = po_profile_kink(&s->scene->profile);
+               kink = po_profile_shape(&s->scene->profile).kink;
   return a < kink && kink < next ? kink : next;
 }
 
@@ -287,7 +287,7 @@ po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given giv
     left = a;
     left_rate = rate;
     if (!status &&
-        a == po_profile_kink(&scene->profile)) { /* a corner, and the rate on its right */
+        a == po_profile_shape(&scene->profile).kink) { /* a corner, and the rate on its right */
       left = a * (1.0 + BESIDE);
       status = rate_beyond(&s, left, &here, &left_rate);
       if (!status && rate < 0.0 && left_rate >= 0.0)

@@ -56,7 +56,7 @@ static void require_interval(const po_profile *profile, const po_profile_table *
     fuzz_require(isfinite(gap) && isfinite(slope), "no gap or slope at %g", r);
     fuzz_require(fabs(po_profile_gap_exact(profile, 1.0, r).high - gap) <= slack,
                  "another gap in twice the precision at %g", r);
-    fuzz_require(rise < 0.0 || isfinite(po_profile_detail(profile)) || gap >= before - fall,
+    fuzz_require(rise < 0.0 || isfinite(po_profile_shape(profile).detail) || gap >= before - fall,
                  "the gap falls at %g, and the profile is said to rise", r);
     before = gap;
     *least = fmin(*least, gap + slack);
@@ -68,7 +68,7 @@ static void require_profile(const po_profile *profile, const po_profile_table *t
   double least = t->gap[last];
   fuzz_require(t->gap[0] == 0.0 && t->r[0] == 0.0, "the profile does not begin on the axis");
   fuzz_require(t->growth >= 0.0 && isfinite(t->growth), "the profile grows as r^%g", t->growth);
-  fuzz_require(po_profile_end(profile) == t->r[last], "the profile ends elsewhere");
+  fuzz_require(po_profile_shape(profile).end == t->r[last], "the profile ends elsewhere");
   for (size_t k = last; k-- > 0;) {
     require_interval(profile, t, k, &least);
     fuzz_require(po_profile_gap_beyond(profile, 1.0, t->r[k]) <= least + ROUNDING * size_of(t, k),
@@ -99,7 +99,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   po_profile profile = po_profile_sphere();
   double scale = 1.0;
   if (count > 1 && po_number_parse(parts[1].bytes, &scale))
-    po_profile_set_parameter(&profile, PO_TABLE_SCALE, scale);
+    profile.parameter[PO_TABLE_SCALE] = scale;
   const po_profile before = profile;
   fuzz_write(path, parts[0].bytes, parts[0].size);
   const po_status status = po_profile_set_file(&profile, path);

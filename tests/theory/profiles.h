@@ -73,7 +73,7 @@ static po_scene scene_of_table(double (*gap)(double r), int rows, double end, do
   po_scene s = scene_of_words("sphere", "-", coupling);
   s.radius = 1.0;
   s.tabor = po_scene_tabor_of_coupling(coupling, 1.0);
-  po_profile_set_parameter(&s.profile, PO_TABLE_SCALE, unit);
+  s.profile.parameter[PO_TABLE_SCALE] = unit;
   const po_status status = po_profile_set_file(&s.profile, path);
   ck_assert_msg(status == PO_OK, "%s", po_message());
   ck_assert_int_eq(unlink(path), 0);

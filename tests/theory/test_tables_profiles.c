@@ -195,8 +195,8 @@ START_TEST(pull_off_of_powers_over_many_decades) {
       for (double coupling = 1e-9; coupling < 1e10; coupling *= 1e3) {
         po_scene s = po_scene_default();
         ck_assert(po_profile_set(&s.profile, "power"));
-        po_profile_set_parameter(&s.profile, PO_POWER_C, factor);
-        po_profile_set_parameter(&s.profile, PO_POWER_N, n);
+        s.profile.parameter[PO_POWER_C] = factor;
+        s.profile.parameter[PO_POWER_N] = n;
         s.radius = 1.0;
         s.tabor = po_scene_tabor_of_coupling(coupling, 1.0);
         const double kappa = 0.5 * sqrt(M_PI) * n * tgamma(0.5 * n) / tgamma(0.5 * n + 0.5);

@@ -43,7 +43,7 @@ static po_profile table_of(double (*gap)(double r), int rows, double end, double
     fprintf(f, "%.17g,%.17g\n", end * k / (rows - 1) / scale, gap(end * k / (rows - 1)) / scale);
   ck_assert_int_eq(fclose(f), 0);
   po_profile profile = po_profile_sphere();
-  po_profile_set_parameter(&profile, PO_TABLE_SCALE, scale);
+  profile.parameter[PO_TABLE_SCALE] = scale;
   ck_assert_msg(po_profile_set_file(&profile, path) == PO_OK, "%s", po_message());
   ck_assert_int_eq(unlink(path), 0);
   return profile;
@@ -82,7 +82,7 @@ START_TEST(gap_grows_as_stated) {
   const po_profile p = profile_of(PROFILES[_i]);
   const double r = 1e9;
   ck_assert_double_eq_tol(r * po_profile_slope(&p, R, r) / po_profile_gap(&p, R, r),
-                          po_profile_growth(&p), 2e-8);
+                          po_profile_shape(&p).growth, 2e-8);
 }
 END_TEST
 
@@ -109,8 +109,8 @@ START_TEST(texts_set_what_they_name) {
   ck_assert(po_profile_set(&p, "punch"));
   ck_assert_int_eq(po_profile_check(&p), PO_BAD_INPUT);
   ck_assert_str_eq(po_message(), "punch_b is not given: the profile punch needs it");
-  po_profile_set_parameter(&p, PO_PUNCH_B, 5.0);
-  po_profile_set_parameter(&p, PO_PUNCH_R, 20.0);
+  p.parameter[PO_PUNCH_B] = 5.0;
+  p.parameter[PO_PUNCH_R] = 20.0;
   const po_profile whole = profile_of("punch:5,20");
   ck_assert_int_eq(memcmp(&p, &whole, sizeof p), 0);
   ck_assert_double_eq(po_profile_default_radius(&p), 1.0);
@@ -151,7 +151,7 @@ START_TEST(other_units_of_length) {
     ck_assert_double_eq_tol(po_profile_gap(&other, NAN, RADII[i]),
                             po_profile_gap(&one, NAN, RADII[i]),
                             1e-12 * (1.0 + po_profile_gap(&one, NAN, RADII[i])));
-  ck_assert_double_eq_tol(po_profile_end(&other), 30.0, 1e-13);
+  ck_assert_double_eq_tol(po_profile_shape(&other).end, 30.0, 1e-13);
 }
 END_TEST
 
@@ -163,8 +163,8 @@ START_TEST(table_of_a_parabola_is_the_parabola) {
   const po_profile p = table_of(parabola, 23, 40.0, 1.0);
   ck_assert_uint_eq(p.table->rows, 23);
   ck_assert_double_lt(p.table->uncertainty, 1e-13);
-  ck_assert_double_eq_tol(po_profile_growth(&p), 2.0, 1e-12);
-  ck_assert(po_profile_is_convex(&p) && isinf(po_profile_detail(&p)));
+  ck_assert_double_eq_tol(po_profile_shape(&p).growth, 2.0, 1e-12);
+  ck_assert(po_profile_shape(&p).is_convex && isinf(po_profile_shape(&p).detail));
   ck_assert_uint_eq(strlen(po_profile_digest(&p)), 64);
   for (double r = 0.01; r < 1e4; r *= 1.37)
     ck_assert_double_eq_tol(po_profile_gap(&p, NAN, r), parabola(r), 1e-11 * parabola(r) + 1e-15);
@@ -185,8 +185,8 @@ START_TEST(uncertainty_of_a_table_bounds_its_error) {
     for (double r = 0.0; r <= 30.0; r += 0.0137)
       error[refine] = fmax(error[refine], fabs(po_profile_gap(&p, NAN, r) - gaps[_i](r)));
     ck_assert_double_le(error[refine], p.table->uncertainty);
-    ck_assert_int_eq(po_profile_is_convex(&p), _i == 0);
-    ck_assert_int_eq(isinf(po_profile_detail(&p)) != 0, _i == 0);
+    ck_assert_int_eq(po_profile_shape(&p).is_convex, _i == 0);
+    ck_assert_int_eq(isinf(po_profile_shape(&p).detail) != 0, _i == 0);
   }
   ck_assert(_i == 1 || (error[0] / error[1] > 12.0 && error[0] / error[1] < 20.0));
 }
@@ -204,7 +204,7 @@ static po_status read_near_rows(double distance, po_profile *profile, double *er
   }
   ck_assert_int_eq(fclose(f), 0);
   *profile = po_profile_sphere();
-  po_profile_set_parameter(profile, PO_TABLE_SCALE, 1.0);
+  profile->parameter[PO_TABLE_SCALE] = 1.0;
   const po_status status = po_profile_set_file(profile, path);
   ck_assert_int_eq(unlink(path), 0);
   *error = 0.0;

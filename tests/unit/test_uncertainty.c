@@ -21,7 +21,7 @@ static po_profile noisy_tip(void) {
   }
   ck_assert_int_eq(fclose(f), 0);
   po_profile profile = po_profile_sphere();
-  po_profile_set_parameter(&profile, PO_TABLE_SMOOTH, 0.0075);
+  profile.parameter[PO_TABLE_SMOOTH] = 0.0075;
   ck_assert_msg(po_profile_set_file(&profile, path) == PO_OK, "%s", po_message());
   ck_assert_int_eq(unlink(path), 0);
   return profile;
