@@ -253,6 +253,14 @@ static po_status check_idle(po_given *given, const po_request *request) {
   return PO_OK;
 }
 
+/* Sets the usual length and force of a scene in SI units: of a profile that is not a sphere, from
+ * the unit of its solve. */
+static void set_usual_units(po_request *request) {
+  const po_scene solved = po_load_unit_request(request).scene;
+  request->units.usual_length = request->units.length * fmax(1.0, solved.tabor);
+  request->units.usual_force = request->units.force * po_scene_load_unit(&solved);
+}
+
 po_status po_given_read(po_given *given, po_request *request) {
   po_status status = check_pairs(given);
   if (!status)
@@ -272,7 +280,7 @@ po_status po_given_read(po_given *given, po_request *request) {
   if (!status)
     status = set_in_si(given, request);
   if (!status && request->in_si)
-    po_load_unit_usual(request);
+    set_usual_units(request);
   return status ? status : check_idle(given, request);
 }
 

@@ -31,12 +31,6 @@ po_preload po_load_unit_preload(const po_request *request) {
   return preload;
 }
 
-void po_load_unit_usual(po_request *request) {
-  const po_scene solved = po_load_unit_request(request).scene;
-  request->units.usual_length = request->units.length * fmax(1.0, solved.tabor);
-  request->units.usual_force = request->units.force * po_scene_load_unit(&solved);
-}
-
 static double convert(po_dimension dimension, double value, double unit) {
   switch (dimension) {
   case PO_DIMENSION_LOAD:

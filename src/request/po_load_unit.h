@@ -19,10 +19,6 @@ po_request po_load_unit_request(const po_request *request);
  * asked for: the default preload is the load 1 in the unit of the solve. */
 po_preload po_load_unit_preload(const po_request *request);
 
-/* Sets the usual length and force of a scene in SI units: of a profile that is not a sphere, from
- * the unit of its solve. */
-void po_load_unit_usual(po_request *request);
-
 /* Converts a result of the solve to the unit of the scene that was asked for. Given: the scene of
  * the solve. */
 void po_load_unit_result(const po_scene *solved, po_result *result);

@@ -5,46 +5,21 @@
 
 #include "po_elementary.h"
 
-static po_status require(bool holds, const char *what, double value, const char *expected) {
-  return holds ? PO_OK : po_fail(PO_BAD_INPUT, "%s is %g: expected %s", what, value, expected);
-}
-
-static bool is_positive(double value) {
-  return isfinite(value) && value > 0.0;
-}
-
-static po_status check(const po_physical *p) {
-  static const char POSITIVE[] = "a finite number > 0";
-  po_status status = require(p->modulus > 0.0, "the modulus", p->modulus, "a number > 0, or inf");
-  if (!status)
-    status = require(is_positive(p->work), "the work of adhesion", p->work, POSITIVE);
-  if (!status)
-    status = require(is_positive(p->distance), "the equilibrium distance", p->distance, POSITIVE);
-  if (!status)
-    status = require(is_positive(p->radius), "the radius", p->radius, POSITIVE);
-  if (!status)
-    status = require(isfinite(p->amplitude) && p->amplitude >= 0.0, "the amplitude", p->amplitude,
-                     "a finite number >= 0");
-  if (!status && p->amplitude > 0.0)
-    status = require(is_positive(p->wavelength), "the wavelength", p->wavelength, POSITIVE);
-  if (!status)
-    status =
-        require(p->outer_radius > 0.0, "the outer radius", p->outer_radius, "a number > 0, or inf");
-  return status;
-}
-
 /* Refuses a group that has underflowed to a subnormal number or 0, or has overflowed. */
 static po_status check_group(const char *name, double value) {
-  return require(isfinite(value) && value >= DBL_MIN, name, value,
-                 "a number within the range of doubles; the given sizes differ by too many orders "
-                 "of magnitude");
+  return isfinite(value) && value >= DBL_MIN
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT,
+                       "%s is %g: expected a number within the range of doubles; the given sizes "
+                       "differ by too many orders of magnitude",
+                       name, value);
 }
 
 po_status po_physical_scene(const po_physical *physical, po_scene *scene) {
   const po_physical *p = physical;
-  const po_status status = check(p);
-  if (status)
-    return status;
+  if (!isfinite(p->amplitude)) /* a multiple of the wavelength may overflow */
+    return po_fail(PO_BAD_INPUT, "the amplitude is %g: expected a finite number >= 0",
+                   p->amplitude);
   const bool rigid = isinf(p->modulus), wavy = p->amplitude > 0.0;
   const double length = po_cbrt(p->distance),
                root = po_cbrt(p->work) / length / po_cbrt(p->modulus);

@@ -26,9 +26,10 @@ typedef struct {
 } po_units;
 
 /* Computes the dimensionless scene but for its law and its profile, which stay: mu = (R w^2/(E*^2
- * eps^3))^(1/3) (text after Eq 15) and the lengths in units of epsilon. Intermediate results cannot
- * overflow. Status: PO_BAD_INPUT, naming the quantity that is not positive and finite, or the group
- * that is outside the range of doubles. Accuracy: 8 ulp (tests/unit/test_physical.c). */
+ * eps^3))^(1/3) (text after Eq 15) and the lengths in units of epsilon. Given: numbers that the
+ * keys accept: > 0, the amplitude >= 0 or a multiple of the wavelength. Intermediate results cannot
+ * overflow. Status: PO_BAD_INPUT, naming the group that is outside the range of doubles. Accuracy:
+ * 8 ulp (tests/unit/test_physical.c). */
 po_status po_physical_scene(const po_physical *physical, po_scene *scene);
 
 /* The units of a scene. Given: a physical scene and its dimensionless form from

@@ -76,15 +76,7 @@ static const struct {
   double value;
   const char *message;
 } BAD[] = {
-    {offsetof(po_physical, modulus), 0.0, "the modulus is 0: expected a number > 0, or inf"},
-    {offsetof(po_physical, modulus), NAN, "the modulus is nan"},
-    {offsetof(po_physical, work), -0.05, "the work of adhesion is -0.05"},
-    {offsetof(po_physical, work), INFINITY, "the work of adhesion is inf"},
-    {offsetof(po_physical, distance), 0.0, "the equilibrium distance is 0"},
-    {offsetof(po_physical, radius), -1e-6, "the radius is -1e-06"},
-    {offsetof(po_physical, amplitude), -1e-9, "the amplitude is -1e-09"},
-    {offsetof(po_physical, wavelength), 0.0, "the wavelength is 0"},
-    {offsetof(po_physical, outer_radius), 0.0, "the outer radius is 0"},
+    {offsetof(po_physical, amplitude), INFINITY, "the amplitude is inf: expected a finite"},
     {offsetof(po_physical, radius), 1e306, "the radius over the equilibrium distance is inf"},
     {offsetof(po_physical, amplitude), 1e-323, "the amplitude over the equilibrium distance is "},
 };
