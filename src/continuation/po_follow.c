@@ -273,7 +273,8 @@ double po_follow_domain(const po_follower *f) {
   return po_adaptive_domain(f->adaptive);
 }
 
-po_solve_work po_follow_work(const po_follower *f, uint64_t *kernel_evaluations) {
-  *kernel_evaluations = po_adaptive_surface(f->adaptive)->kernel_evaluations;
-  return f->e->work;
+po_work po_follow_work(const po_follower *f) {
+  po_work work = f->e->work;
+  work.kernel_evaluations = po_adaptive_surface(f->adaptive)->kernel_evaluations;
+  return work;
 }

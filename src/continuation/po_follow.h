@@ -46,6 +46,6 @@ po_branch_point po_follow_point(po_follower *f, bool judged);
 
 /* Radius of the domain, eps, at the present value of the parameter; and the work so far. */
 double po_follow_domain(const po_follower *f);
-po_solve_work po_follow_work(const po_follower *f, uint64_t *kernel_evaluations);
+po_work po_follow_work(const po_follower *f);
 
 #endif

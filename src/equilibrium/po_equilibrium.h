@@ -25,6 +25,7 @@
 
 #include "po_elimination.h"
 #include "po_factors.h"
+#include "po_result.h"
 #include "po_scene.h"
 #include "po_secant.h"
 #include "po_surface.h"
@@ -32,12 +33,6 @@
 /* Smallest precision of Newton's method: the change of a gap, relative to 1 + H, that is due to
  * rounding. */
 extern const double PO_FINEST_PRECISION;
-
-typedef struct {
-  uint64_t points, newton_iterations, tangent_iterations, factorizations;
-  uint64_t factorized_nodes; /* largest order of a factorised matrix */
-  uint64_t meshes;           /* changes of the mesh */
-} po_solve_work;
 
 /* The largest number of directions in which factors are corrected. */
 enum { PO_MOST_WEAK = 4 };
@@ -86,7 +81,8 @@ typedef struct {
   po_secant secant;               /* Broyden's updates since the factorisation */
   bool factorized;
   int orientation; /* sign of the determinant of the factors, without Broyden's updates */
-  po_solve_work work;
+  po_work work;    /* without that of the surface */
+  uint64_t tangent_iterations;
 } po_equilibrium;
 
 /* Given: scene and surface, which must outlive the object; the number of nodes for which memory is

@@ -252,7 +252,7 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
       largest = greater(largest, fabs(change[j]) / one);
       size = greater(size, fabs(solution[j]) / one);
     }
-    ++e->work.tangent_iterations;
+    ++e->tangent_iterations;
     note_change(&p, largest / size);
     if (iteration > 0 && is_converged(&p, least, stagnated(e)))
       return PO_OK;

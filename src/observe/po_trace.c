@@ -42,11 +42,7 @@ static po_continuation_options options_of(const po_request *request, double begi
 
 static void note_work(const po_reader *reader, const po_equilibrium *e, bool panels) {
   po_work *work = &reader->result->work;
-  work->points = e->work.points;
-  work->newton_iterations = e->work.newton_iterations;
-  work->factorizations = e->work.factorizations;
-  work->factorized_nodes = e->work.factorized_nodes;
-  work->meshes = e->work.meshes;
+  *work = e->work;
   work->nodes = panels ? reader->most_nodes : reader->surface->n;
   work->kernel_evaluations = reader->surface->kernel_evaluations;
 }

@@ -41,7 +41,7 @@ typedef struct {
                     does not exist there */
   followed *row; /* rows: the minima */
   size_t rows;
-  po_series_work before;
+  po_work before;
 } interval;
 
 static bool may_follow(const interval *s) {

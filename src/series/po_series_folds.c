@@ -37,7 +37,7 @@ static void fail_from(const po_series_scenes *l, size_t first, po_status status)
 
 /* Follows one fold until it ends. Status: PO_INTERRUPTED, PO_NO_MEMORY. */
 static po_status follow(const po_series_scenes *l, po_follower *follower, const po_solution *point,
-                        size_t place, po_series_work *before) {
+                        size_t place, po_work *before) {
   po_status status = po_follow_begin(follower, point, PO_OF_APPROACH, 0.0);
   for (size_t k = 1; k < l->count && !status; ++k) {
     const po_request *request = &l->requests[k];
@@ -83,7 +83,7 @@ static po_status allocate_folds(const po_series_scenes *l) {
 
 static po_status follow_all(const po_series_scenes *l, const po_kept_points *f) {
   po_follower *follower = NULL;
-  po_series_work before = {0};
+  po_work before = {0};
   po_status status = allocate_folds(l);
   if (!status)
     status = po_series_follower(l, 0, f->tolerance, &follower);

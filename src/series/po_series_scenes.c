@@ -137,17 +137,15 @@ bool po_series_is_cut_off(const po_request *request, double domain,
   return po_observe_is_cut_off(&request->scene, po_contact_radius(&gap), domain);
 }
 
-void po_series_add_work(const po_follower *follower, double seconds, po_series_work *before,
+void po_series_add_work(const po_follower *follower, double seconds, po_work *before,
                         po_work *work) {
-  uint64_t kernel;
-  const po_solve_work now = po_follow_work(follower, &kernel);
-  work->points += now.points - before->work.points;
-  work->newton_iterations += now.newton_iterations - before->work.newton_iterations;
-  work->factorizations += now.factorizations - before->work.factorizations;
-  work->meshes += now.meshes - before->work.meshes;
-  work->kernel_evaluations += kernel - before->kernel;
+  const po_work now = po_follow_work(follower);
+  work->points += now.points - before->points;
+  work->newton_iterations += now.newton_iterations - before->newton_iterations;
+  work->factorizations += now.factorizations - before->factorizations;
+  work->meshes += now.meshes - before->meshes;
+  work->kernel_evaluations += now.kernel_evaluations - before->kernel_evaluations;
   work->factorized_nodes = now.factorized_nodes;
   work->seconds += seconds;
-  before->work = now;
-  before->kernel = kernel;
+  *before = now;
 }

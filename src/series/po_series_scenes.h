@@ -54,14 +54,9 @@ po_status po_series_follower(const po_series_scenes *l, size_t first, double tol
  * panels, eps. */
 bool po_series_is_cut_off(const po_request *request, double domain, const po_branch_point *special);
 
-/* The work of a follower up to the last call of po_series_add_work. */
-typedef struct {
-  po_solve_work work;
-  uint64_t kernel;
-} po_series_work;
-
-/* Adds the work since the last call. Given: seconds, its elapsed time. */
-void po_series_add_work(const po_follower *follower, double seconds, po_series_work *before,
+/* Adds the work since the last call. Given: seconds, its elapsed time; before, the work of the
+ * follower up to that call. */
+void po_series_add_work(const po_follower *follower, double seconds, po_work *before,
                         po_work *work);
 
 #endif

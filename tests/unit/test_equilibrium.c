@@ -157,14 +157,14 @@ START_TEST(changed_border_gives_the_tangent_of_new_factors) {
   const double scale = po_arclength_along(NODES + 1, border, tangent);
   po_equilibrium_change_border(f.e, border);
   f.e->factorized = true; /* whatever the scale of the border */
-  const uint64_t iterations = f.e->work.tangent_iterations;
+  const uint64_t iterations = f.e->tangent_iterations;
   ck_assert_int_eq(po_equilibrium_tangent(f.e, f.e->precision, changed), PO_OK);
-  const uint64_t with_changed = f.e->work.tangent_iterations - iterations;
+  const uint64_t with_changed = f.e->tangent_iterations - iterations;
   for (int j = 0; j <= NODES; ++j)
     ck_assert_double_eq_tol(changed[j] * scale, tangent[j], 1e-11 * (1.0 + fabs(tangent[j])));
   ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, border), PO_OK);
   ck_assert_int_eq(po_equilibrium_tangent(f.e, f.e->precision, changed), PO_OK);
-  ck_assert_uint_le(with_changed, f.e->work.tangent_iterations - iterations - with_changed + 1);
+  ck_assert_uint_le(with_changed, f.e->tangent_iterations - iterations - with_changed + 1);
   tear_down(&f);
 }
 END_TEST

@@ -126,8 +126,7 @@ START_TEST(followed_folds_agree_with_full_traces) {
       ck_assert_double_lt(p.load_error, 1e-6);
     }
   }
-  uint64_t kernel;
-  const po_solve_work work = po_follow_work(follower, &kernel);
+  const po_work work = po_follow_work(follower);
   ck_assert_uint_lt(work.factorizations, 40 * 3 * l->folds); /* error estimates included */
   po_follow_destroy(follower);
   for (size_t j = 0; j < f.count; ++j)
