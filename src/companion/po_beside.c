@@ -1,5 +1,6 @@
 /* The theories beside a result, and the companion of a solve. */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include "po_abel.h"
@@ -59,8 +60,7 @@ static po_status guduru(const po_request *r, double *force) {
   if (isinf(preload.approach))
     return jkr(r, force);
   po_hysteresis loops;
-  const po_status status =
-      po_jkr_hysteresis_within(&r->scene, preload, (double)NAN, MOST_POINTS, &loops);
+  const po_status status = po_jkr_hysteresis(&r->scene, preload, (double)NAN, MOST_POINTS, &loops);
   *force = status ? NAN : fmax(0.0, -loops.of[PO_AT_APPROACH].pull_off.load);
   po_hysteresis_clear(&loops);
   return status;
@@ -306,4 +306,9 @@ static double bound(const po_scene *scene, double load) {
   return po_guduru_last_minimum(scene, load, EXCESS) + WAVES * scene->wavelength;
 }
 
-const po_companion PO_COMPANION_JKR = {bound, po_jkr_hysteresis, po_jkr_staircases, theories};
+static po_status hysteresis(const po_scene *scene, po_preload preload, po_control spring,
+                            po_hysteresis *loops) {
+  return po_jkr_hysteresis(scene, preload, spring, SIZE_MAX, loops);
+}
+
+const po_companion PO_COMPANION_JKR = {bound, hysteresis, po_jkr_staircases, theories};

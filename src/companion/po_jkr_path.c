@@ -271,12 +271,7 @@ po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_stairca
 }
 
 po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_control spring,
-                            po_hysteresis *hysteresis) {
-  return po_jkr_hysteresis_within(scene, preload, spring, SIZE_MAX, hysteresis);
-}
-
-po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, po_control spring,
-                                   size_t most, po_hysteresis *hysteresis) {
+                            size_t most, po_hysteresis *hysteresis) {
   *hysteresis = (po_hysteresis){.has_spring = false};
   jkr_curve curve;
   po_contact least;

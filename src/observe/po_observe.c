@@ -13,7 +13,6 @@
 #include "po_rigid.h"
 #include "po_scales.h"
 #include "po_size.h"
-#include "po_trace.h"
 #include "po_watch.h"
 
 /* The largest change of the approach of a fold; NaN if the number of folds differs. */

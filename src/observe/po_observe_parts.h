@@ -19,6 +19,22 @@ typedef struct {
   bool minima_only; /* the errors of folds are not needed */
 } po_keeper;
 
+/* The settings of one trace, which change if it is repeated. */
+typedef struct {
+  double core;      /* radius of the core of the surface, eps */
+  double tolerance; /* of panels, relative */
+  double begin; /* greatest approach at which the trace begins, eps; NAN: chosen by the solver */
+  size_t unmet_folds; /* returned: number of folds not found on a finer mesh */
+} po_attempt;
+
+/* Traces the branch of a request once (po_trace.c). Given: rigid, whether the scene is solved
+ * without elasticity; the settings; deadline, the processor time at which the function gives up;
+ * keeper, which receives minima and folds, or NULL. Returned: result; a->begin is changed if
+ * unloading leads to a smaller approach than the trace began with. Status: that of the trace;
+ * PO_NOT_FOUND if there is no pull-off. */
+po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
+                   const po_keeper *keeper, po_result *result);
+
 /* The processor time (po_clock_thread) at which the solve of a request gives up; INFINITY: no
  * limit. */
 double po_observe_deadline(const po_request *request);

@@ -1,11 +1,11 @@
-#include "po_trace.h"
-
+/* One trace of the branch of a request, with its results. */
 #include <math.h>
 
 #include "po_adaptive.h"
 #include "po_continuation.h"
 #include "po_diagnose.h"
 #include "po_initial_gap.h"
+#include "po_observe_parts.h"
 #include "po_reader.h"
 #include "po_rigid_trace.h"
 #include "po_watch.h"

@@ -1,4 +1,5 @@
-#include "po_abel_integral.h"
+/* Integrals over the Abel transform. */
+#include "po_abel.h"
 
 #include <math.h>
 

@@ -1,5 +1,6 @@
 /* Tests of loading and unloading: closed forms, and the energy balance of whole loops. */
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "po_jkr_path.h"
@@ -26,7 +27,7 @@ START_TEST(jkr_in_closed_form) {
   if (_i) /* the same sphere as a power */
     ck_assert(po_profile_set(&scene.profile, "power:0.0060240963855421684,2"));
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, NAN, &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, NAN, SIZE_MAX, &h), PO_OK);
   const po_loop *d = &h.of[PO_AT_APPROACH], *l = &h.of[PO_AT_LOAD];
   ck_assert_uint_eq(d->jump_count, 2);
   ck_assert_uint_eq(d->loading_jumps, 1);
@@ -61,7 +62,7 @@ START_TEST(spring_in_closed_form) {
   const double stiffness = STIFFNESS[_i], tiny = 1e-4;
   po_scene scene = {2.385, 0.0, 0.0, 83.0, INFINITY};
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, stiffness, &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, stiffness, SIZE_MAX, &h), PO_OK);
   ck_assert(h.has_spring);
   const po_loop *s = &h.of[PO_THROUGH_SPRING];
   ck_assert_uint_eq(s->jump_count, 2);
@@ -99,7 +100,7 @@ START_TEST(cone_in_closed_form) {
   scene.tabor = po_scene_tabor_of_coupling(coupling, 1.0);
   ck_assert(po_profile_set(&scene.profile, "cone:0.3"));
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, NAN, &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, NAN, SIZE_MAX, &h), PO_OK);
   const po_loop *d = &h.of[PO_AT_APPROACH], *l = &h.of[PO_AT_LOAD];
   const double last = 0.5 * M_PI * coupling / (slope * slope);
   ck_assert_uint_eq(d->jump_count, 2);
@@ -121,7 +122,7 @@ START_TEST(truncated_sphere_parts_from_its_corner) {
   scene.tabor = po_scene_tabor_of_coupling(0.05, 1.0);
   ck_assert(po_profile_set(&scene.profile, "truncated:5,20"));
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, NAN, &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, NAN, SIZE_MAX, &h), PO_OK);
   const po_contact corner = po_jkr_profile_at(&scene, 5.0);
   const po_loop *d = &h.of[PO_AT_APPROACH], *l = &h.of[PO_AT_LOAD];
   ck_assert_uint_eq(d->jump_count, 2);
@@ -175,7 +176,7 @@ START_TEST(staircase_through_a_spring) {
     const po_cycle *cycle = &step->cycle[0];
     po_hysteresis h;
     const po_preload preload = {cycle->preload.approach + beyond, NAN};
-    ck_assert_int_eq(po_jkr_hysteresis(&scene, preload, stiffness, &h), PO_OK);
+    ck_assert_int_eq(po_jkr_hysteresis(&scene, preload, stiffness, SIZE_MAX, &h), PO_OK);
     ck_assert_double_eq_tol(h.of[PO_THROUGH_SPRING].pull_off.load, step->pull_off.load, 1e-12);
     ck_assert_uint_eq(h.of[PO_THROUGH_SPRING].jump_count, cycle->loss.jumps);
     ck_assert_double_eq_tol(h.of[PO_THROUGH_SPRING].energy_lost, cycle->loss.energy, 1e-9);
@@ -271,7 +272,8 @@ START_TEST(loop_loses_what_its_jumps_do) {
   const double way = 2.0 * (loop->preload.approach - o.start);
   check_balance(loop, 0.06 * 1e-6 * way / loop->energy_lost);
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&request.scene, po_request_preload(&request), NAN, &h), PO_OK);
+  ck_assert_int_eq(
+      po_jkr_hysteresis(&request.scene, po_request_preload(&request), NAN, SIZE_MAX, &h), PO_OK);
   check_balance(&h.of[PO_AT_APPROACH], 1e-8);
   is_located(loop, &o);
   is_located(&o.hysteresis.of[PO_AT_LOAD], &o);

@@ -2,7 +2,6 @@
 #include <gsl/gsl_errno.h>
 
 #include "po_abel.h"
-#include "po_abel_integral.h"
 #include "po_elementary.h"
 #include "po_guduru.h"
 #include "po_initial_gap.h"
