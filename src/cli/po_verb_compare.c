@@ -133,6 +133,16 @@ static int compare(po_solve_line *line, const po_theory *only) {
   return po_options_end(status);
 }
 
+/* Finds the theory with a name. Returned: false if there is none. */
+static bool find_theory(const char *name, po_theory *theory) {
+  for (int k = 0; k < PO_THEORY_COUNT; ++k)
+    if (strcmp(name, PO_THEORIES[k].name) == 0) {
+      *theory = (po_theory)k;
+      return true;
+    }
+  return false;
+}
+
 int po_verb_compare(int argc, char **argv) {
   const po_options options = {
       "compare", HELP, OPTIONS, argc, argv, 0, NULL, PO_FOR_SOLVE, po_solve_line_take_key};
@@ -142,7 +152,7 @@ int po_verb_compare(int argc, char **argv) {
     return po_options_end(status);
   po_theory theory = PO_THEORY_RIGID;
   char shown[PO_QUOTE_LENGTH];
-  if (line.theory && !po_theory_find(line.theory, &theory))
+  if (line.theory && !find_theory(line.theory, &theory))
     status = po_suggest(po_fail(PO_BAD_INPUT, "no theory is named %s: expected one of %s",
                                 po_quote(line.theory, shown), PO_THEORY_NAMES),
                         line.theory, PO_THEORY_NAMES);

@@ -31,23 +31,14 @@ static const double SAME = 1e-9;
 typedef struct {
   const po_scene *scene;
   po_contact (*at)(const po_scene *scene, double a);
-  double (*approach_rate)(const po_scene *scene, double a); /* dDelta/da */
-  double (*load_rate)(const po_scene *scene, double a);     /* dW/da */
-  double first;                                             /* contact radius of the first point */
+  double (*rate)(const po_scene *scene, po_given given, double a); /* dW/da, dDelta/da */
+  double first;     /* contact radius of the first point */
   double size;      /* about the contact radius at pull-off */
   double wave;      /* the shortest wavelength, or the size if that is less */
   double long_wave; /* the longest wavelength; 0 without waves */
   double kink;      /* radius at which the slope of the profile jumps; NAN: none */
   size_t most;      /* points */
 } jkr_curve;
-
-static double approach_rate_of(const po_scene *scene, double a) {
-  return po_jkr_profile_rate(scene, PO_GIVEN_APPROACH, a);
-}
-
-static double load_rate_of(const po_scene *scene, double a) {
-  return po_jkr_profile_rate(scene, PO_GIVEN_LOAD, a);
-}
 
 /* Sets the curve and its pull-off at given load. */
 static po_status curve_of(const po_scene *scene, jkr_curve *c, po_contact *least) {
@@ -57,8 +48,7 @@ static po_status curve_of(const po_scene *scene, jkr_curve *c, po_contact *least
   const bool wavy = po_scene_is_wavy(scene);
   *c = (jkr_curve){.scene = scene,
                    .at = po_guduru_at,
-                   .approach_rate = po_guduru_approach_rate,
-                   .load_rate = po_guduru_load_rate,
+                   .rate = po_guduru_rate,
                    .size = po_scene_gamma(scene),
                    .kink = po_profile_shape(&scene->profile).kink,
                    .long_wave = wavy ? scene->wavelength : 0.0,
@@ -70,8 +60,7 @@ static po_status curve_of(const po_scene *scene, jkr_curve *c, po_contact *least
     return PO_OK;
   }
   c->at = po_jkr_profile_at;
-  c->approach_rate = approach_rate_of;
-  c->load_rate = load_rate_of;
+  c->rate = po_jkr_profile_rate;
   c->most = MOST_POINTS;
   c->first = PO_GUDURU_FIRST * po_jkr_profile_first(scene);
   const po_status status = po_jkr_profile_pull_off(scene, PO_GIVEN_LOAD, least);
@@ -93,12 +82,12 @@ typedef struct {
 
 static double approach_rate(double a, const void *data) {
   const jkr_curve *c = data;
-  return c->approach_rate(c->scene, a);
+  return c->rate(c->scene, PO_GIVEN_APPROACH, a);
 }
 
 static double load_rate(double a, const void *data) {
   const jkr_curve *c = data;
-  return c->load_rate(c->scene, a);
+  return c->rate(c->scene, PO_GIVEN_LOAD, a);
 }
 
 /* Beyond a kink b load and approach are smooth in sqrt(a^2 - b^2): the position is b plus this. */

@@ -159,8 +159,9 @@ static po_status unload(loop_state *f) {
   }
 }
 
-po_status po_loop_follow(const po_path *path, po_control control, po_preload preload,
-                         po_loop *loop) {
+/* One loop. Under load control loading begins at load 0. */
+static po_status follow(const po_path *path, po_control control, po_preload preload,
+                        po_loop *loop) {
   *loop = (po_loop){.control = control,
                     .pull_off_error = {NAN, NAN},
                     .energy_lost_error = NAN,
@@ -178,9 +179,7 @@ po_status po_loop_follow(const po_path *path, po_control control, po_preload pre
     status = load(&f);
   if (!status)
     status = unload(&f);
-  if (status)
-    po_loop_clear(loop);
-  else if (control == PO_LOAD_CONTROL)
+  if (control == PO_LOAD_CONTROL)
     loop->work = NAN;
   free(points);
   return status;
@@ -190,13 +189,13 @@ po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_contr
                                po_hysteresis *hysteresis) {
   po_loop *of = hysteresis->of;
   *hysteresis = (po_hysteresis){.has_spring = false};
-  po_status status = po_loop_follow(path, PO_DISPLACEMENT_CONTROL, preload, &of[PO_AT_APPROACH]);
+  po_status status = follow(path, PO_DISPLACEMENT_CONTROL, preload, &of[PO_AT_APPROACH]);
   const po_preload load = {(double)NAN, fmax(0.0, of[PO_AT_APPROACH].preload.load)};
   if (!status)
-    status = po_loop_follow(path, PO_LOAD_CONTROL, load, &of[PO_AT_LOAD]);
+    status = follow(path, PO_LOAD_CONTROL, load, &of[PO_AT_LOAD]);
   hysteresis->has_spring = !status && isfinite(spring);
   if (hysteresis->has_spring)
-    status = po_loop_follow(path, spring, preload, &of[PO_THROUGH_SPRING]);
+    status = follow(path, spring, preload, &of[PO_THROUGH_SPRING]);
   if (status)
     po_hysteresis_clear(hysteresis);
   return status;

@@ -15,21 +15,15 @@
 #ifndef PO_LOOP_H
 #define PO_LOOP_H
 
-#include <stdbool.h>
-
 #include "po_path.h"
 
-/* Follows a curve of equilibria from separation to the preload and back. Under load control loading
- * begins at load 0. Returned: loop, to be cleared with po_loop_clear. Status: PO_NOT_FOUND if the
- * curve ends before the preload, or does not begin far enough out; PO_NO_MEMORY. */
-po_status po_loop_follow(const po_path *path, po_control control, po_preload preload,
-                         po_loop *loop);
-
-/* Computes the loops along a curve of equilibria. The load-controlled loop is reversed at the load
- * of the displacement-controlled preload, or at load 0 if that load is tensile; that through the
- * spring at the preload. Given: a preload with an approach or a load >= 0; the stiffness of the
- * spring, INFINITY: none. Returned: hysteresis, to be cleared with po_hysteresis_clear.
- * Status: as po_loop_follow. */
+/* Follows a curve of equilibria from separation to the preload and back, at given approach, at
+ * given load, and through a spring. The load-controlled loop begins at load 0 and is reversed at
+ * the load of the displacement-controlled preload, or at load 0 if that load is tensile; that
+ * through the spring is reversed at the preload. Given: a preload with an approach or a load >= 0;
+ * the stiffness of the spring, INFINITY: none. Returned: hysteresis, to be cleared with
+ * po_hysteresis_clear. Status: PO_NOT_FOUND if the curve ends before the preload, or does not begin
+ * far enough out; PO_NO_MEMORY. */
 po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_control spring,
                                po_hysteresis *hysteresis);
 

@@ -240,8 +240,6 @@ static po_status read_staircase(const po_path *path, po_control control, po_stai
   free(w.all);
   free(w.stretch_of);
   free(points);
-  if (status)
-    po_staircase_clear(staircase);
   return status;
 }
 
@@ -251,6 +249,8 @@ po_status po_staircases_read(const po_path *path, po_control spring, po_staircas
   staircases->has_spring = po_is_spring(spring);
   for (int k = 0; k < 2 + staircases->has_spring && !status; ++k)
     status = read_staircase(path, controls[k], &staircases->of[k]);
+  if (status)
+    po_staircases_clear(staircases);
   return status;
 }
 

@@ -14,25 +14,21 @@ int po_modes_held(po_control control, int unstable_modes, double approach_rate, 
   return unstable_modes + (po_held(control, approach_rate, load_rate) * approach_rate < 0.0);
 }
 
-void po_loop_clear(po_loop *loop) {
-  free(loop->jumps);
-  *loop = (po_loop){.control = loop->control};
-}
-
 void po_hysteresis_clear(po_hysteresis *hysteresis) {
-  for (int k = 0; k < PO_TESTS; ++k)
-    po_loop_clear(&hysteresis->of[k]);
-}
-
-void po_staircase_clear(po_staircase *staircase) {
-  for (size_t k = 0; k < staircase->count; ++k)
-    free(staircase->step[k].cycle);
-  free(staircase->step);
-  *staircase = (po_staircase){.control = staircase->control};
+  for (int k = 0; k < PO_TESTS; ++k) {
+    po_loop *loop = &hysteresis->of[k];
+    free(loop->jumps);
+    *loop = (po_loop){.control = loop->control};
+  }
 }
 
 void po_staircases_clear(po_staircases *staircases) {
-  for (int k = 0; k < PO_TESTS; ++k)
-    po_staircase_clear(&staircases->of[k]);
+  for (int t = 0; t < PO_TESTS; ++t) {
+    po_staircase *staircase = &staircases->of[t];
+    for (size_t k = 0; k < staircase->count; ++k)
+      free(staircase->step[k].cycle);
+    free(staircase->step);
+    *staircase = (po_staircase){.control = staircase->control};
+  }
   staircases->has_spring = false;
 }

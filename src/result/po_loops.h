@@ -137,10 +137,8 @@ typedef struct {
   bool has_spring;
 } po_staircases;
 
-/* Free the lists; the control stays. */
-void po_loop_clear(po_loop *loop);
+/* Free the lists; the controls stay. */
 void po_hysteresis_clear(po_hysteresis *hysteresis);
-void po_staircase_clear(po_staircase *staircase);
 void po_staircases_clear(po_staircases *staircases);
 
 #endif

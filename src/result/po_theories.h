@@ -63,9 +63,6 @@ typedef struct {
 extern const po_theory_text PO_THEORIES[PO_THEORY_COUNT];
 extern const char *const PO_ASSUMPTIONS[PO_ASSUMPTION_COUNT];
 
-/* Finds the theory with a name. Returned: false if there is none. */
-bool po_theory_find(const char *name, po_theory *theory);
-
 /* The names of all theories as a list for messages. */
 extern const char *const PO_THEORY_NAMES;
 

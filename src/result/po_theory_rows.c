@@ -1,8 +1,6 @@
 /* The rows of the theories beside a solve. */
 #include "po_theories.h"
 
-#include <string.h>
-
 #include "po_result_rows.h"
 #include "po_row_cells.h"
 
@@ -14,15 +12,6 @@ static const char *const NAMES[] = {PO_THEORY_ROWS(NAME) NULL};
 const char *const PO_THEORY_NAMES = &(PO_THEORY_ROWS(LISTED))[2];
 
 const po_theory_text PO_THEORIES[] = {PO_THEORY_ROWS(DESCRIBED)};
-
-bool po_theory_find(const char *name, po_theory *theory) {
-  for (int k = 0; k < PO_THEORY_COUNT; ++k)
-    if (strcmp(name, NAMES[k]) == 0) {
-      *theory = (po_theory)k;
-      return true;
-    }
-  return false;
-}
 
 #define KEY(key, name, ...) [PO_ASSUMES_##key] = name,
 #define MEANING(key, name, words) [PO_ASSUMES_##key] = words,

@@ -68,16 +68,13 @@ static double rate(double a, const void *data) {
          1.5 * t->adhesion * sqrt(a);
 }
 
-double po_guduru_load_rate(const po_scene *scene, double contact_radius) {
-  const coefficients t = coefficients_of(scene);
-  return is_inside(scene, contact_radius) ? rate(contact_radius, &t) : NAN;
-}
-
-double po_guduru_approach_rate(const po_scene *scene, double contact_radius) {
+double po_guduru_rate(const po_scene *scene, po_given given, double contact_radius) {
   if (!is_inside(scene, contact_radius))
     return NAN;
   const coefficients t = coefficients_of(scene);
   const double a = contact_radius;
+  if (given == PO_GIVEN_LOAD)
+    return rate(a, &t);
   const wave_terms s = waves_at(&t, a); /* H0' = 2/pi - H1 */
   return 2.0 * a / scene->radius +
          scene->amplitude * M_PI_2 * t.k * (s.h0 + s.x * (M_2_PI - s.h1)) -

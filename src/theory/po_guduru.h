@@ -18,12 +18,9 @@ extern const double PO_GUDURU_FIRST;
  * (tests/theory/test_tables_theory.c). */
 po_contact po_guduru_at(const po_scene *scene, double contact_radius);
 
-/* The derivative dW/da of Eq 5, W in pi w R, in 1/eps. Source: dP/da = 2 E* a dDelta/da for the
- * contact without adhesion. */
-double po_guduru_load_rate(const po_scene *scene, double contact_radius);
-
-/* The derivative dDelta/da of Eq 5, both in eps; -INFINITY at a = 0. */
-double po_guduru_approach_rate(const po_scene *scene, double contact_radius);
+/* The derivatives of Eq 5: dW/da, W in pi w R, in 1/eps (dP/da = 2 E* a dDelta/da for the contact
+ * without adhesion); and dDelta/da, both in eps, -INFINITY at a = 0. */
+double po_guduru_rate(const po_scene *scene, po_given given, double contact_radius);
 
 /* Finds the largest contact radius, in eps, at which the load of Eq 5 has a minimum that is not
  * above `load`, with the adhesive part multiplied by 1 + excess. Given: load < 0. Returned: 0 if

@@ -11,9 +11,6 @@
 
 #include "po_jkr.h"
 
-/* What is held fixed in a test: the load or the approach. */
-typedef enum { PO_GIVEN_LOAD, PO_GIVEN_APPROACH } po_given;
-
 /* The equilibrium at a contact radius. Given: tabor > 0; contact_radius/eps >= 0. Returned: NaN in
  * all members outside the domain. Accuracy: 1e-14 of the largest term, measured on every row of
  * reference/jkr_profiles.csv (tests/theory/test_tables_profiles.c). */

@@ -174,9 +174,9 @@ START_TEST(jkr_of_the_paper_is_a_case) {
         compare("load", &s, a, here.load, expected.load, 1e-13 * size.load);
         compare("approach", &s, a, here.approach, expected.approach, 1e-13 * size.approach);
         compare("load rate", &s, a, po_jkr_profile_rate(&s, PO_GIVEN_LOAD, a),
-                po_guduru_load_rate(&s, a), 1e-11 * size.load / a);
+                po_guduru_rate(&s, PO_GIVEN_LOAD, a), 1e-11 * size.load / a);
         compare("approach rate", &s, a, po_jkr_profile_rate(&s, PO_GIVEN_APPROACH, a),
-                po_guduru_approach_rate(&s, a), 1e-11 * size.approach / a);
+                po_guduru_rate(&s, PO_GIVEN_APPROACH, a), 1e-11 * size.approach / a);
         const double load = 0.7 * eq_5.load;
         const double last = po_guduru_last_minimum(&s, load, 0.1);
         compare("last minimum", &s, a, po_jkr_profile_last_minimum(&s, load, 0.1), last,
