@@ -297,9 +297,11 @@ po_status po_given_check_waves(po_given *given) {
 }
 
 bool po_given_is_general(const po_given *given, const po_form *form, const po_scene *scene) {
+  /* a wave makes the form that of any profile, unless the paper has a formula with the wave */
+  const bool by_wave = form->takes & PO_TAKES_PROFILE && !(form->needs & PO_NEEDS_AMPLITUDE);
   return given->text[PO_KEY_LAW] || given->text[PO_KEY_PROFILE] ||
          given->text[PO_KEY_PROFILE_FILE] || given->text[PO_KEY_WAVES] ||
-         po_form_is_general(form, scene);
+         (by_wave && po_scene_is_wavy(scene));
 }
 
 po_status po_use_check(const char *what, const po_use *uses, size_t count) {

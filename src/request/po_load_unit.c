@@ -6,11 +6,18 @@
 #include "po_result_rows.h"
 #include "po_scales.h"
 
+/* The radius of the sphere with the gap of a profile C r^2, 1/(2C); NAN: it is none. */
+static double radius_of_sphere(const po_profile *profile) {
+  return po_profile_has(profile, PO_POWER_N) && profile->parameter[PO_POWER_N] == 2.0
+             ? 0.5 / profile->parameter[PO_POWER_C]
+             : (double)NAN;
+}
+
 po_request po_load_unit_request(const po_request *request) {
   po_request r = *request;
   if (po_profile_is_sphere(&r.scene.profile) || po_scene_check(&r.scene))
     return r;
-  const double radius = po_profile_radius_of_sphere(&r.scene.profile);
+  const double radius = radius_of_sphere(&r.scene.profile);
   const double unit = isnan(radius) ? po_scene_scales(&r.scene).load : radius / r.scene.radius;
   if (!(isfinite(unit) && unit > 0.0))
     return r;
@@ -44,8 +51,24 @@ static double convert(po_dimension dimension, double value, double unit) {
   }
 }
 
+/* Converts every member that is a number. */
+static void convert_block(const po_block *block, void *owner, double unit) {
+  for (size_t i = 0; i < block->count; ++i) {
+    const po_row *row = &block->row[i];
+    if (row->type == PO_ROW_PART || row->type == PO_ROW_INLINE)
+      convert_block(row->block, (char *)owner + row->offset, unit);
+    else if (row->type == PO_ROW_LIST)
+      for (size_t k = 0; k < po_row_items(row, owner); ++k)
+        convert_block(row->block, po_row_item(row, owner, k), unit);
+    else if (row->type == PO_ROW_NUMBER && !row->alias) {
+      double *number = (void *)((char *)owner + row->offset);
+      *number = convert(row->dimension, *number, unit);
+    }
+  }
+}
+
 void po_load_unit_result(const po_scene *solved, po_result *o) {
   const double unit = po_scene_load_unit(solved);
   if (unit != 1.0)
-    po_block_change(&PO_ALL_ROWS, o, convert, unit);
+    convert_block(&PO_ALL_ROWS, o, unit);
 }

@@ -111,18 +111,3 @@ double po_block_number(const po_block *block, const void *owner, const char *pat
   const po_field field = po_block_find(block, owner, path);
   return field.row && field.owner ? po_row_number(field.row, field.owner) : (double)NAN;
 }
-
-void po_block_change(const po_block *block, void *owner, po_change *change, double by) {
-  for (size_t i = 0; i < block->count; ++i) {
-    const po_row *row = &block->row[i];
-    if (row->type == PO_ROW_PART || row->type == PO_ROW_INLINE)
-      po_block_change(row->block, (char *)owner + row->offset, change, by);
-    else if (row->type == PO_ROW_LIST)
-      for (size_t k = 0; k < po_row_items(row, owner); ++k)
-        po_block_change(row->block, po_row_item(row, owner, k), change, by);
-    else if (row->type == PO_ROW_NUMBER && !row->alias) {
-      double *number = (void *)((char *)owner + row->offset);
-      *number = change(row->dimension, *number, by);
-    }
-  }
-}

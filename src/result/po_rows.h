@@ -87,8 +87,4 @@ bool po_row_is_absent(const po_row *row, const void *owner);
 size_t po_row_items(const po_row *row, const void *owner);
 void *po_row_item(const po_row *row, const void *owner, size_t index);
 
-/* Replaces every member that is a number by `change` of it. */
-typedef double po_change(po_dimension dimension, double value, double by);
-void po_block_change(const po_block *block, void *owner, po_change *change, double by);
-
 #endif

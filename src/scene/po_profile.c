@@ -123,12 +123,6 @@ void po_profile_rescale(po_profile *profile, double epsilon) {
       p[k] /= epsilon;
 }
 
-double po_profile_radius_of_sphere(const po_profile *profile) {
-  return kind_of(profile) == &PO_POWER && profile->parameter[PO_POWER_N] == 2.0
-             ? 0.5 / profile->parameter[PO_POWER_C]
-             : (double)NAN;
-}
-
 double po_profile_gap(const po_profile *profile, double radius, double r) {
   return kind_of(profile)->gap(profile, radius, r);
 }

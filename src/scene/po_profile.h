@@ -88,10 +88,6 @@ const char *po_profile_digest(const po_profile *profile);
 po_status po_profile_check(const po_profile *profile);
 
 bool po_profile_is_sphere(const po_profile *profile);
-
-/* The radius of the sphere with the same gap: 1/(2C) for C r^2; NAN if there is none, and for the
- * sphere itself, whose radius is that of the scene. */
-double po_profile_radius_of_sphere(const po_profile *profile);
 bool po_profile_is_table(const po_profile *profile);
 
 /* The radius of a scene for which none is given: 100 for the sphere; for every other profile, whose

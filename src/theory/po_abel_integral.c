@@ -52,32 +52,22 @@ static double piece(const integral *q, double from, double to) {
   return sum;
 }
 
-static double integrate(integral *q, double from) {
-  if (!(from < q->to))
-    return from == q->to ? 0.0 : NAN;
-  if (po_gauss_rule(POINTS, q->node, q->weight))
+double po_abel_integral(const po_scene *scene, double from, double to, bool to_edge,
+                        po_abel_integrand f, const void *data) {
+  integral q = {.scene = scene, .f = f, .data = data, .to_edge = to_edge, .to = to};
+  if (!(from < to))
+    return from == to ? 0.0 : NAN;
+  if (po_gauss_rule(POINTS, q.node, q.weight))
     return NAN;
   double sum = 0.0, pieces = 0.0;
-  for (double x = from; x < q->to;) {
-    const double end = piece_end(q, x);
+  for (double x = from; x < to;) {
+    const double end = piece_end(&q, x);
     if (!(end > x) || ++pieces > MOST_PIECES || po_watch_look())
       return NAN;
-    sum += piece(q, x, end);
+    sum += piece(&q, x, end);
     x = end;
   }
   return sum;
-}
-
-double po_abel_integral(const po_scene *scene, double from, double to, po_abel_integrand f,
-                        const void *data) {
-  integral q = {.scene = scene, .f = f, .data = data, .to = to};
-  return integrate(&q, from);
-}
-
-double po_abel_integral_to_edge(const po_scene *scene, double from, double to, po_abel_integrand f,
-                                const void *data) {
-  integral q = {.scene = scene, .f = f, .data = data, .to_edge = true, .to = to};
-  return integrate(&q, from);
 }
 
 static double less(double x, po_abel t, const void *data) {
@@ -86,5 +76,5 @@ static double less(double x, po_abel t, const void *data) {
 }
 
 double po_abel_gap(const po_scene *scene, double a, double approach, double r) {
-  return M_2_PI * po_abel_integral_to_edge(scene, a, r, less, &approach);
+  return M_2_PI * po_abel_integral(scene, a, r, true, less, &approach);
 }

@@ -281,11 +281,6 @@ const po_form *po_form_find(const char *name) {
   return NULL;
 }
 
-bool po_form_is_general(const po_form *form, const po_scene *scene) {
-  return form->takes & PO_TAKES_PROFILE && !(form->needs & PO_NEEDS_AMPLITUDE) &&
-         po_scene_is_wavy(scene);
-}
-
 po_status po_form_refuse(const char *name) {
   char shown[PO_QUOTE_LENGTH];
   return po_suggest(po_fail(PO_BAD_INPUT, "no closed form is named %s: expected %s",

@@ -85,10 +85,6 @@ typedef struct {
 /* Returned: the form with this name, or NULL. */
 const po_form *po_form_find(const char *name);
 
-/* Returned: whether a wave of the scene makes the form that of any profile, which is so unless the
- * paper has a formula with the wave. */
-bool po_form_is_general(const po_form *form, const po_scene *scene);
-
 /* Refuses the name of no form. Status: PO_BAD_INPUT. */
 po_status po_form_refuse(const char *name);
 

@@ -279,7 +279,7 @@ po_status po_jkr_profile_energy(const po_scene *scene, double contact_radius, do
   if (!is_inside(scene, contact_radius))
     return PO_OK;
   const double approach = po_jkr_profile_at(scene, contact_radius).approach;
-  const double sum = po_abel_integral(scene, 0.0, contact_radius, square, &approach);
+  const double sum = po_abel_integral(scene, 0.0, contact_radius, false, square, &approach);
   if (isnan(sum))
     return po_fail(PO_NO_MEMORY, "no memory for the energy of a contact of radius %g",
                    contact_radius);

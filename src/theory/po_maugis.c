@@ -41,7 +41,7 @@ static double shortest_wave(const po_scene *scene) {
 static double excess_gap(double width, const void *data) {
   const ring *m = data;
   const lengths l = lengths_of(m, width);
-  const double profile = po_abel_integral_to_edge(m->scene, m->a, l.c, less, &m->at.g);
+  const double profile = po_abel_integral(m->scene, m->a, l.c, true, less, &m->at.g);
   if (m->work)
     *m->work += 1.0 + width / shortest_wave(m->scene);
   return M_2_PI * (profile + 2.0 * m->tension * m->coupling * (l.s * l.angle - width)) -
@@ -173,7 +173,7 @@ static double rates(const po_scene *scene, double tension, po_given given, const
   const ring m = ring_of(scene, tension, a);
   const lengths l = lengths_of(&m, c - a);
   const double pull = 2.0 * tension * m.coupling;
-  const double slope = po_abel_integral_to_edge(scene, a, c, rate_by_cosine, &c);
+  const double slope = po_abel_integral(scene, a, c, true, rate_by_cosine, &c);
   const double approach_a = m.at.rate + pull * a / l.s, approach_c = -pull * c / l.s;
   const double gap_a = -l.angle * approach_a;
   const double gap_c = slope + pull * (a / c + c * l.angle / l.s - 1.0);
@@ -317,9 +317,9 @@ static double from_tension(double x, po_abel t, const void *data) {
 
 static double gap_at(const ring *m, const lengths *l, double r) {
   const two_radii at = {r, l->c};
-  const double profile = po_abel_integral_to_edge(m->scene, m->a, r, less, &m->at.g);
+  const double profile = po_abel_integral(m->scene, m->a, r, true, less, &m->at.g);
   const double angle = po_atan2(sqrt((r - m->a) * (r + m->a)), m->a);
-  const double part = po_abel_integral_to_edge(m->scene, m->a, fmin(r, l->c), from_tension, &at);
+  const double part = po_abel_integral(m->scene, m->a, fmin(r, l->c), true, from_tension, &at);
   return M_2_PI * (profile + 2.0 * m->tension * m->coupling * (l->s * angle - part));
 }
 
@@ -330,7 +330,7 @@ static double from_rate(double x, po_abel t, const void *data) {
 
 /* The pressure at r inside the contact, w/eps. */
 static double pressure_at(const ring *m, const lengths *l, double r) {
-  const double profile = po_abel_integral(m->scene, r, m->a, from_rate, &r);
+  const double profile = po_abel_integral(m->scene, r, m->a, false, from_rate, &r);
   const double angle = po_atan2(l->s, sqrt((m->a - r) * (m->a + r)));
   return profile / (M_PI * m->coupling) - M_2_PI * m->tension * angle;
 }
