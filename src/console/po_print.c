@@ -118,7 +118,7 @@ static bool gives_more(const po_result *o) {
 
 /* What is known about preloads that are harder than the declared one. */
 static void print_harder(const po_result *o) {
-  const po_pressed *until = &o->pull_off.until;
+  const po_preload *until = &o->pull_off.until;
   const bool reversal = !gives_more(o) && !isnan(until->approach);
   if (!o->pull_off_any.is_known && !reversal)
     return;
@@ -144,7 +144,7 @@ static void print_harder(const po_result *o) {
 static void print_preload(const po_result *o) {
   if (!o->has_pull_off || o->status)
     return;
-  const po_pressed *from = &o->pull_off.pressed, *until = &o->pull_off.until;
+  const po_preload *from = &o->pull_off.pressed, *until = &o->pull_off.until;
   printf("preload  ");
   if (isnan(from->approach))
     printf("no test at given approach measures this minimum of the load\n");

@@ -129,7 +129,7 @@ static void print_sensitivity(const po_request *request, const po_result *o) {
 
 /* Which preloads give the pull-off, with the loads of a test at these approaches. */
 static void print_preload(const po_si_unit *length, const po_si_unit *force, const po_result *o) {
-  const po_pressed *from = &o->pull_off.pressed, *until = &o->pull_off.until;
+  const po_preload *from = &o->pull_off.pressed, *until = &o->pull_off.until;
   if (!o->has_pull_off || o->status || isnan(from->approach))
     return;
   printf("preload  loading to approach %.6g %s, load %.6g %s,", from->approach * length->factor,

@@ -94,16 +94,16 @@ static void state_errors(const po_request *request, const po_result *o, const po
   }
 }
 
-static po_pressed pressed(const po_path_state *state) {
-  return (po_pressed){state->approach, state->load};
+static po_preload pressed(const po_path_state *state) {
+  return (po_preload){state->approach, state->load};
 }
 
 static void read_pull_off(const po_staircase *s, double position, po_result *o) {
-  o->pull_off.pressed = o->pull_off.until = (po_pressed){NAN, NAN};
+  o->pull_off.pressed = o->pull_off.until = (po_preload){NAN, NAN};
   for (size_t k = s->count; k-- > 0;)
     if (s->step[k].pull_off.position == position) {
       o->pull_off.pressed = pressed(&s->step[k].preload);
-      o->pull_off.until = s->step[k].open ? (po_pressed){NAN, NAN} : pressed(&s->step[k].until);
+      o->pull_off.until = s->step[k].open ? (po_preload){NAN, NAN} : pressed(&s->step[k].until);
     }
 }
 

@@ -49,8 +49,8 @@ double po_held(po_control control, double approach, double load);
  * approach and load along the branch. */
 int po_modes_held(po_control control, int unstable_modes, double approach_rate, double load_rate);
 
-/* The preload: loading is reversed when the approach (eps) or the load (pi w R) reaches this value;
- * NAN: no limit. Under load control only the load counts. */
+/* A preload: approach, eps, and load, pi w R. Of a test that is to be made: loading is reversed
+ * when one of them is reached; NAN: no limit; under load control only the load counts. */
 typedef struct {
   double approach, load;
 } po_preload;

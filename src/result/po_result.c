@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 po_result po_result_none(void) {
-  const po_pressed unknown = {(double)NAN, (double)NAN};
+  const po_preload unknown = {(double)NAN, (double)NAN};
   return (po_result){.status = PO_OK,
                      .start = NAN,
                      .ended = {.approach = NAN, .load = NAN},

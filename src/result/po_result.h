@@ -87,11 +87,6 @@ typedef struct {
   double seconds;              /* wall time */
 } po_work;
 
-/* A preload that was reached: approach, eps, and load, pi w R. */
-typedef struct {
-  double approach, load;
-} po_pressed;
-
 /* What the uncertainty of one input, or the noise of a profile, does to the pull-off force. */
 typedef struct {
   char source[40];         /* the name of the option, or "noise" */
@@ -138,17 +133,17 @@ typedef struct {
     bool has_sensitivity; /* whether `sensitivity` is set; on panels only */
     po_sensitivity
         sensitivity;    /* d ln(force) / d ln(parameter); its residual and rounding are NAN */
-    po_pressed pressed; /* the least preload with this pull-off; NAN: none on the trace */
-    po_pressed
+    po_preload pressed; /* the least preload with this pull-off; NAN: none on the trace */
+    po_preload
         until; /* the hardest preload with this pull-off; NAN: the trace ended before it changed */
   } pull_off;
   struct {
     bool is_known;                   /* whether the fields are set */
     double force, force_error;       /* greatest pull-off force of all preloads, / (pi w R) */
     double approach, approach_error; /* where, in eps */
-    po_pressed pressed;              /* the least preload with this pull-off */
+    po_preload pressed;              /* the least preload with this pull-off */
     bool complete;                   /* no harder preload gives more */
-    po_pressed searched;             /* otherwise: the hardest preload of the trace */
+    po_preload searched;             /* otherwise: the hardest preload of the trace */
   } pull_off_any;
   po_special_point *folds; /* along the branch */
   size_t fold_count;

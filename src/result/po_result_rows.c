@@ -98,7 +98,7 @@ const po_block PO_CONTACT_ROWS = BLOCK("contact", CONTACT, NULL);
 #undef S
 
 /* -- The result -- */
-#define S po_pressed
+#define S po_preload
 static const po_row PRESSED[] = {
   NUMBER("approach", approach, LENGTH, "", "if there is none", "approach of the state of loading"),
   NUMBER("load", load, LOAD, "", "if there is none", "load of the state of loading"),
