@@ -48,6 +48,8 @@ void po_kept_clear(po_kept *kept) {
     free(kept->states[k].node);
     free(kept->states[k].gap);
   }
+  free(kept->out.list);
+  free(kept->back.list);
   *kept = (po_kept){0};
 }
 
@@ -152,11 +154,6 @@ po_status po_passage_note(po_passage *passage, const po_special_point *point, in
   return PO_OK;
 }
 
-void po_passage_clear(po_passage *passage) {
-  free(passage->list);
-  *passage = (po_passage){0};
-}
-
 static void compare_special_point(const po_special_point *out, const po_special_point *back,
                                   po_reverse_trace *way) {
   const double approach = fabs(out->approach - back->approach), load = fabs(out->load - back->load);
@@ -172,8 +169,8 @@ static void compare_special_point(const po_special_point *out, const po_special_
     way->excess = isnan(way->excess) ? way->excess : parts;
 }
 
-po_reverse_trace po_reverse_trace_compare(const po_passage *out, const po_passage *back,
-                                          po_status status) {
+po_reverse_trace po_reverse_trace_compare(const po_kept *kept, po_status status) {
+  const po_passage *out = &kept->out, *back = &kept->back;
   po_reverse_trace way = {.made = true, .status = status, .points = back->points};
   if (status)
     snprintf(way.reason, sizeof way.reason, "%s",

@@ -35,6 +35,7 @@ enum { PO_KEPT_FOLDS = 12, PO_MOST_KEPT = PO_KEPT_FOLDS + 3 };
 typedef struct {
   po_kept_state states[PO_MOST_KEPT]; /* start, pull-off, end, then the folds */
   size_t folds;
+  po_passage out, back; /* of the forward and of the reverse trace */
 } po_kept;
 
 /* Diagnoses the states kept of a trace. Given: deadline, the processor time (po_clock_thread) at
@@ -55,10 +56,7 @@ void po_kept_clear(po_kept *kept);
  * after it; back, whether the trace is the reverse one. Status: PO_NO_MEMORY. */
 po_status po_passage_note(po_passage *passage, const po_special_point *point, int modes, bool back);
 
-void po_passage_clear(po_passage *passage);
-
 /* Compares the forward trace with the reverse trace. Given: the status of the reverse trace. */
-po_reverse_trace po_reverse_trace_compare(const po_passage *out, const po_passage *back,
-                                          po_status status);
+po_reverse_trace po_reverse_trace_compare(const po_kept *kept, po_status status);
 
 #endif

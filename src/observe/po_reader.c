@@ -153,8 +153,6 @@ void po_reader_end(po_reader *reader) {
     give_curve(&reader->points, reader->result);
   free(reader->points.path);
   po_kept_clear(&reader->kept);
-  po_passage_clear(&reader->out);
-  po_passage_clear(&reader->back);
 }
 
 /* Whether the preload is met and a search of limited effort is in progress, which may end at any
@@ -192,7 +190,7 @@ static bool may_go_on(po_reader *r, const po_branch_point *p) {
 
 /* Adds a point to the special points of the forward or the reverse trace. */
 static po_status pass(po_reader *r, const po_branch_point *p, bool back) {
-  po_passage *passage = back ? &r->back : &r->out;
+  po_passage *passage = back ? &r->kept.back : &r->kept.out;
   if (!is_special(p))
     return po_passage_note(passage, NULL, p->unstable_modes, back);
   const po_estimate e = estimate_of(r, p);

@@ -45,10 +45,9 @@ typedef struct {
   const po_surface *surface; /* for a rigid scene, its nodes only */
   po_result *result;
   const po_keeper *keeper; /* NULL: none */
-  bool diagnoses;          /* diagnostics are wanted, which the next four need */
+  bool diagnoses;          /* diagnostics are wanted, which the next two need */
   po_balance balance;      /* energy balance */
-  po_kept kept;            /* states for the diagnosis */
-  po_passage out, back;    /* special points of the forward and of the reverse trace */
+  po_kept kept;            /* states and special points for them */
   double begin;            /* points are recorded from the first one with at least this approach */
   bool begun;
   po_stopping stopping;

@@ -56,7 +56,7 @@ static po_status trace_back(po_continuation *continuation, po_reader *reader) {
   if (reader->status)
     status = reader->status;
   reader->status = PO_OK;
-  d->reverse_trace = po_reverse_trace_compare(&reader->out, &reader->back, status);
+  d->reverse_trace = po_reverse_trace_compare(&reader->kept, status);
   d->seconds += po_clock_wall() - begin;
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;

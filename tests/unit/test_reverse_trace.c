@@ -104,9 +104,9 @@ static void note(po_passage *passage, passed p, double approach_error, bool back
  * unstable modes. */
 static po_reverse_trace judge(size_t missing, po_special_kind last, double off, int modes,
                               po_status status) {
-  po_passage out = {0}, back = {0};
+  po_kept kept = {.folds = 0};
   for (size_t k = 0; k < COUNT; ++k)
-    note(&out, OUT[k], 2e-7, false);
+    note(&kept.out, OUT[k], 2e-7, false);
   for (size_t k = COUNT; k-- > 0;) {
     passed p = OUT[k];
     p.at.unstable_modes = k > 0 ? OUT[k - 1].at.unstable_modes : modes;
@@ -116,11 +116,10 @@ static po_reverse_trace judge(size_t missing, po_special_kind last, double off, 
       p.at.unstable_modes = modes;
     }
     if (k != missing)
-      note(&back, p, 1e-7, true);
+      note(&kept.back, p, 1e-7, true);
   }
-  const po_reverse_trace way = po_reverse_trace_compare(&out, &back, status);
-  po_passage_clear(&out);
-  po_passage_clear(&back);
+  const po_reverse_trace way = po_reverse_trace_compare(&kept, status);
+  po_kept_clear(&kept);
   return way;
 }
 
