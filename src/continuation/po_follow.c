@@ -19,8 +19,10 @@ static const double GREATEST_PREDICTOR_ERROR = 0.4, SMALL_PREDICTOR_ERROR = 0.1;
  * shows how the special point moves. */
 static const double FIRST_PART = 0.02;
 /* Length of a step, relative to the same distance, below which the special point is given up if the
- * step fails; and the same for the first step. */
-static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 5e-4;
+ * step fails; and the same for the first step. Each attempt at that is a tenth of the one before:
+ * the third is the last. */
+static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 0.025 * FIRST_PART;
+
 struct po_follower {
   po_follow_options options;
   po_scene scene; /* at the present value of the parameter */

@@ -117,15 +117,17 @@ static void scan(const po_scene *scene, const coefficients *t, double from, doub
 }
 
 /* POINTS_PER_WAVE: dW/da has two zeros in a wavelength and varies on the scale of a quarter of it.
- * POINTS_OF_FIRST: points in the first wavelength if it is scanned from PO_GUDURU_FIRST.
- * MOST_POINTS: limit of the latter for extreme scenes. */
-enum { POINTS_PER_WAVE = 16, POINTS_OF_FIRST = 400, MOST_POINTS = 40000 };
+ * POINTS_OF_FIRST: points in the first wavelength if it is scanned from PO_GUDURU_FIRST; the last
+ * two are then nearer to each other than those of other waves, as log(1/PO_GUDURU_FIRST) is less
+ * than 25. MOST_POINTS: limit of the latter for extreme scenes. */
+enum { POINTS_PER_WAVE = 16, POINTS_OF_FIRST = 25 * POINTS_PER_WAVE, MOST_POINTS = 40000 };
 const double PO_GUDURU_FIRST = 1e-9;
 /* If the contact contains more wavelengths than this, the pull-off is taken from the envelope: the
  * spacing of doubles is then 1e-8 wavelengths, so that a minimum could be located only to 1e-15 of
  * the load. */
 static const double MOST_WAVES = 1e8;
-/* GROWTH: factor of the outward search for a contact radius beyond all minima. FINEST: step of the
+/* GROWTH: factor of the outward search for a contact radius beyond all minima; it and FINEST change
+ * nothing but the last bits of the minimum that is found. FINEST: step of the
  * inward search on a smooth sphere, relative to that radius; and the radius at which the inward
  * search ends, relative to its step. */
 static const double GROWTH = 1.3, FINEST = 1e-3;

@@ -53,8 +53,8 @@ static void add_point(const wave_field *f, double nu, double phi, double weight,
 }
 
 /* The integration over t ends at this distance: y grows as exp(2t), so that the integrands decrease
- * at least as exp(-3t). The limit bounds the work for steep crests, whose width is a small fraction
- * of the wavelength. */
+ * at least as exp(-3t), to 1e-21 at the end. The limit bounds the work for steep crests, whose
+ * width is a small fraction of the wavelength. */
 static const double FARTHEST = 16.0;
 
 /* Adds the integrals from `crest` to `end`, with the substitution phi = crest + width sinh(t). */

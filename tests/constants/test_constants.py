@@ -33,6 +33,17 @@ class Agreement(unittest.TestCase):
             self.assertIn(entry["kind"], ("tuned", "limit", "derived", "stated"), entry["name"])
             self.assertTrue(entry["does"], entry["name"])
 
+    def test_a_tuned_constant_that_changes_nothing_has_a_scene_and_a_test(self):
+        idle = document.idle(document.rows())
+        self.assertEqual([entry["name"] for entry in idle if not (entry.get("scene") and entry.get("test"))], [],
+                         "say in tests/constants/constants.toml which scene needs them")
+        for entry in measure.table():
+            if "test" in entry:
+                name = entry["test"].removeprefix("harness_")
+                files = [file for folder in ("unit", "harness", "cli") for file in
+                         (f"{folder}/test_{name}.c", f"{folder}/test_{name}.py")]
+                self.assertTrue(any(os.path.exists(os.path.join(measure.ROOT, "tests", file)) for file in files), name)
+
     def test_every_measurement_is_of_the_present_value(self):
         stale = set(document.rows()) - measure.wanted_keys(scan.constants(measure.ROOT)) - {measure.UNCHANGED}
         self.assertEqual(sorted(stale), [], "run tests/constants/measure.py")

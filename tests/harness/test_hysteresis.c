@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "po_guduru.h"
 #include "po_jkr_path.h"
 #include "po_jkr_profile.h"
 #include "po_observe.h"
@@ -158,6 +159,21 @@ START_TEST(staircases_of_two_waves) {
   }
   po_staircases_clear(&one);
   po_staircases_clear(&two);
+}
+END_TEST
+
+/* The deepest minimum of this scene is beyond the curve that is first computed: it ends at twice
+ * the contact radius of the minimum, and loading gets there only from a greater one. */
+START_TEST(staircases_reach_the_lowest_minimum) {
+  const po_scene scene = {3.27828, 1.86086, 44.143, 40.1129, INFINITY};
+  po_staircases s;
+  ck_assert_int_eq(po_jkr_staircases(&scene, NAN, &s), PO_OK);
+  for (int c = 0; c < 2; ++c) {
+    const po_step *greatest = po_staircase_greatest(&s.of[c]);
+    ck_assert_ptr_nonnull(greatest);
+    ck_assert_double_eq_tol(greatest->pull_off.load, po_guduru_pull_off(&scene).load, 1e-9);
+  }
+  po_staircases_clear(&s);
 }
 END_TEST
 
@@ -380,6 +396,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, jkr_in_closed_form, 0, 2);
   tcase_add_test(tests, cone_in_closed_form);
   tcase_add_test(tests, truncated_sphere_parts_from_its_corner);
+  tcase_add_test(tests, staircases_reach_the_lowest_minimum);
   tcase_add_loop_test(tests, staircases_of_two_waves, 0, 2);
   tcase_add_test(tests, bradley_in_closed_form);
   tcase_add_loop_test(tests, stated_errors_of_energies_hold, 0, sizeof LOOPS / sizeof *LOOPS);

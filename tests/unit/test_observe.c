@@ -50,6 +50,24 @@ START_TEST(curve_contains_its_special_points_in_order) {
 }
 END_TEST
 
+/* A curve does not get more points from one tolerance to the next without end: it is drawn with an
+ * error of 1e-8, as at a tolerance of 1e-7. */
+START_TEST(curve_of_a_small_tolerance_has_no_more_points) {
+  static const double TOLERANCES[] = {1e-7, 1e-9};
+  size_t points[2];
+  for (int k = 0; k < 2; ++k) {
+    po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
+    request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = TOLERANCES[k]};
+    request.want = PO_WANT_CURVE;
+    po_result o;
+    ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+    points[k] = o.curve_count;
+    po_result_clear(&o);
+  }
+  ck_assert_uint_le(points[1], points[0] + points[0] / 4);
+}
+END_TEST
+
 /* The load where a curve first reaches an approach, from the cubic between two of its points. */
 static double load_where(const po_result *o, double approach) {
   for (size_t k = 0; k + 1 < o->curve_count; ++k) {
@@ -328,6 +346,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
   tcase_add_test(tests, curve_contains_its_special_points_in_order);
+  tcase_add_test(tests, curve_of_a_small_tolerance_has_no_more_points);
   tcase_add_loop_test(tests, interpolated_curve_agrees_with_separate_equilibria, 0, 3);
   tcase_add_test(tests, curve_turns_at_its_special_points);
   tcase_add_test(tests, profile_is_an_equilibrium);

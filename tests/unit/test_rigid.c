@@ -64,6 +64,23 @@ START_TEST(wavy_rigid_sphere_is_eq_22) {
 }
 END_TEST
 
+/* Short waves are averaged. Both ways give the same load where the one takes over from the other,
+ * at lambda^2/(8 pi^2 R) = 1e-7 (1 - approach). Waves of 0.03 times this length would be too many
+ * to be integrated one by one; the load is then that of the limit, to 1.3e-6. */
+START_TEST(short_waves_are_averaged) {
+  static const double PARTS[] = {1.0 + 1e-6, 1.0 - 1e-6, 0.03};
+  const double approach = 0.2, radius = 100.0;
+  const double limit = M_PI * sqrt(8e-7 * radius * (1.0 - approach));
+  double load[3], rate;
+  for (int k = 0; k < 3; ++k) {
+    const po_scene scene = {0.0, 1.0, PARTS[k] * limit, radius, INFINITY};
+    ck_assert_int_eq(po_rigid_load(&scene, approach, &load[k], &rate), PO_OK);
+  }
+  ck_assert_double_eq_tol(load[1], load[0], 1e-9); /* 4.8e-10 is the averaging far out */
+  ck_assert_double_eq_tol(load[2], load[0], 2e-6);
+}
+END_TEST
+
 /* The load of the tail, r > r_max = R, in closed form. */
 START_TEST(bounded_surface_lacks_the_load_of_the_tail) {
   const po_scene whole = {0.0, 0.0, 0.0, 100.0, INFINITY}, cut = {0.0, 0.0, 0.0, 100.0, 100.0};
@@ -127,6 +144,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_rigid_sphere_is_eq_23, 0,
                       sizeof APPROACHES / sizeof *APPROACHES);
   tcase_add_loop_test(tests, wavy_rigid_sphere_is_eq_22, 0, sizeof WAVES / sizeof *WAVES);
+  tcase_add_test(tests, short_waves_are_averaged);
   tcase_add_test(tests, bounded_surface_lacks_the_load_of_the_tail);
   tcase_add_test(tests, trace_finds_pull_off_and_station);
   tcase_add_test(tests, scene_is_solved_as_rigid_only_at_negligible_elasticity);

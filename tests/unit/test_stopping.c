@@ -184,6 +184,7 @@ START_TEST(time_limit_ends_a_search_without_failure) {
   request.search = PO_SEARCH_SOME;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(o.ended.cause, PO_END_SEARCHED); /* with more effort it would be complete */
   const uint64_t long_search = o.work.points;
   const double force = o.pull_off.force;
   po_result_clear(&o);
@@ -202,6 +203,19 @@ START_TEST(time_limit_ends_a_search_without_failure) {
       break;
     }
   }
+}
+END_TEST
+
+/* The search after a short trace may take more effort than the trace, and is complete. */
+START_TEST(a_search_after_a_short_trace_is_complete) {
+  po_request request = request_of(2.0, 1.0, 10.0, 40.0);
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.preload.approach = -1.0;
+  request.search = PO_SEARCH_SOME;
+  po_result o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -311,6 +325,33 @@ START_TEST(the_end_of_a_trace_has_a_cause) {
 }
 END_TEST
 
+/* The contact radius beyond which nothing holds more than 1; lesser forces are held at ten times
+ * that. */
+static double farthest_of_1;
+
+static double farthest(const po_scene *scene, double load) {
+  (void)scene;
+  return (load > -1.0 ? 10.0 : 1.0) * farthest_of_1;
+}
+
+/* A search is complete where no minimum of more than 1 can follow. If that is a little beyond the
+ * usual domain, the domain is larger; if far beyond, most searches end before. */
+START_TEST(the_domain_of_a_search_reaches_to_its_end) {
+  static const double PARTS[] = {0.5, 1.2, 2.0}; /* of the usual domain */
+  const po_companion companion = {.bound = farthest};
+  po_request request = request_of(1.0, 1.0, 10.0, INFINITY);
+  const double usual = po_observe_core(&request);
+  request.search = PO_SEARCH_SOME;
+  request.companion = &companion;
+  farthest_of_1 = PARTS[_i] * usual;
+  const double core = po_observe_core(&request);
+  if (_i == 1)
+    ck_assert(!po_observe_is_cut_off(&request.scene, farthest_of_1, core));
+  else
+    ck_assert_double_eq(core, usual);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, no_greater_pull_off_beyond_the_end_of_a_trace, 0, 6);
   tcase_add_test(tests, a_closed_trough_gives_a_greater_pull_off);
@@ -322,9 +363,11 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_preload_beyond_the_end_is_refused);
   tcase_add_test(tests, a_bounded_surface_is_traced_until_full_contact);
   tcase_add_loop_test(tests, the_end_of_a_trace_has_a_cause, 0, 6);
+  tcase_add_loop_test(tests, the_domain_of_a_search_reaches_to_its_end, 0, 3);
   tcase_add_test(tests, an_interruption_ends_a_solve);
   tcase_add_loop_test(tests, time_limit_ends_a_solve, 0, 6);
   tcase_add_test(tests, time_limit_ends_a_search_without_failure);
+  tcase_add_test(tests, a_search_after_a_short_trace_is_complete);
   tcase_add_test(tests, time_limit_that_is_not_reached_changes_nothing);
   tcase_add_test(tests, time_limit_bounds_the_diagnostics);
   tcase_add_loop_test(tests, time_limit_is_a_positive_number, 0, 3);
