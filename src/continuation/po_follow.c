@@ -5,12 +5,14 @@
 #include <string.h>
 
 #include "po_corrector.h"
+#include "po_initial_gap.h"
+#include "po_law.h"
 #include "po_memory.h"
-#include "po_parameter_predictor.h"
 #include "po_refine.h"
 #include "po_watch.h"
 
-enum { ROOT_LEVEL = 3 };
+/* MARKS: solutions through which the predictor goes. */
+enum { ROOT_LEVEL = 3, MARKS = 4 };
 
 /* Greatest error of the predictor, relative to 1 + H, with which a step is accepted; and the error
  * below which the next step is longer. */
@@ -23,6 +25,14 @@ static const double FIRST_PART = 0.02;
  * the third is the last. */
 static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 0.025 * FIRST_PART;
 
+/* A mark: the solution of the special point at one value of the parameter, and its scene. */
+typedef struct {
+  double at;
+  po_scene scene;
+  double domain; /* radius of the domain of the panels, eps */
+  po_solution point;
+} mark;
+
 struct po_follower {
   po_follow_options options;
   po_scene scene; /* at the present value of the parameter */
@@ -31,8 +41,7 @@ struct po_follower {
   po_corrector c;
   po_resolution resolution;
   po_event_kind of;
-  po_predictor_point
-      mark[PO_PREDICTOR_MARKS + 1]; /* ring buffer, with one element for the next mark */
+  mark marks[MARKS + 1]; /* ring buffer, with one element for the next mark */
   size_t latest, count;
   po_solution seed, spare;
   double slope; /* derivative of the rate that vanishes, along the arclength functional */
@@ -40,12 +49,126 @@ struct po_follower {
   double step; /* length of the next attempt; INFINITY: the whole distance */
 };
 
-static po_predictor_point *mark_of(po_follower *f, size_t back) {
-  return &f->mark[(f->latest + PO_PREDICTOR_MARKS + 1 - back) % (PO_PREDICTOR_MARKS + 1)];
+static mark *mark_of(po_follower *f, size_t back) {
+  return &f->marks[(f->latest + MARKS + 1 - back) % (MARKS + 1)];
 }
 
-static po_predictor_point *next_mark(po_follower *f) {
-  return &f->mark[(f->latest + 1) % (PO_PREDICTOR_MARKS + 1)];
+static mark *next_mark(po_follower *f) {
+  return &f->marks[(f->latest + 1) % (MARKS + 1)];
+}
+
+/* The predictor in the parameter: the polynomial through the marks, in coordinates that move with
+ * their contact edges. See doc/method.md, "Parameter continuation". */
+typedef struct {
+  size_t count;
+  const mark *mark[MARKS]; /* the latest first */
+  double weight[MARKS];
+  po_moving_edges edges; /* contact edges of the latest mark that move the coordinates */
+  double shift[PO_MOST_MOVING_EDGES];       /* from these to the predicted edges */
+  double back[MARKS][PO_MOST_MOVING_EDGES]; /* from these to the edges of each mark */
+  /* where values were last needed: the contact edge beyond, and panels of the marks */
+  size_t edge, panel[MARKS];
+} predictor;
+
+/* The weights of the marks in Lagrange's polynomial at a parameter. */
+static void weigh(predictor *f, double at) {
+  for (size_t i = 0; i < f->count; ++i) {
+    f->weight[i] = 1.0;
+    for (size_t k = 0; k < f->count; ++k)
+      if (k != i)
+        f->weight[i] *= (at - f->mark[k]->at) / (f->mark[i]->at - f->mark[k]->at);
+  }
+}
+
+/* Predicts the shifts of the contact edges of the latest mark: of all, or of the outermost only.
+ * Returned: whether the coordinates can move by them. */
+static bool move(po_follower *of, bool all, double at, predictor *f) {
+  const po_moving_edges *latest = &mark_of(of, 0)->point.edges;
+  *f = (predictor){.edges = *latest};
+  if (!all && latest->count > 0) {
+    f->edges.count = 1;
+    f->edges.at[0] = latest->at[latest->count - 1];
+  }
+  for (size_t i = 0; i < of->count; ++i) {
+    const mark *m = mark_of(of, i);
+    const po_moving_edges *edges = &m->point.edges;
+    if (all ? edges->all != latest->all : (edges->count == 0) != (latest->count == 0))
+      break;
+    double *back = f->back[f->count];
+    for (size_t k = 0; k < f->edges.count; ++k)
+      back[k] = edges->at[edges->count - f->edges.count + k] - f->edges.at[k];
+    if (!po_edge_may_relate(&f->edges, back))
+      break;
+    f->mark[f->count++] = m;
+  }
+  weigh(f, at);
+  for (size_t i = 0; i < f->count; ++i)
+    for (size_t k = 0; k < f->edges.count; ++k)
+      f->shift[k] += f->weight[i] * f->back[i][k];
+  return f->count == of->count && po_edge_may_move(&f->edges, f->shift);
+}
+
+/* Predicts at the parameter `at`. If the number of contact edges differs or the strain is too
+ * large, as where a groove closes, only the outermost edge moves the coordinates; the gap is flat
+ * at the others. Returned: false if the strain is too large even then. */
+static bool predict(po_follower *of, double at, predictor *f) {
+  return move(of, true, at, f) || move(of, false, at, f);
+}
+
+/* The same in coordinates that do not move, for short steps. Where a contact edge closes or forms
+ * at the axis it moves ever faster, and the gap is flat there. */
+static void predict_still(po_follower *of, double at, predictor *f) {
+  *f = (predictor){.count = of->count};
+  for (size_t i = 0; i < of->count; ++i)
+    f->mark[i] = mark_of(of, i);
+  weigh(f, at);
+}
+
+/* The gap of a mark; outside its domain the undeformed gap. */
+static double gap_of(const mark *m, double r, size_t *panel) {
+  if (r < m->domain)
+    return po_solution_gap_near(&m->point, &m->scene, m->domain, r, panel);
+  return po_initial_gap(&m->scene, r) - m->point.state[m->point.n];
+}
+
+/* The predicted gap H at a radius, eps; above -1. Given: data, a predictor. */
+static double predicted_gap(void *data, double r) {
+  predictor *f = data;
+  const po_edge_place origin = po_edge_origin(&f->edges, f->shift, r, f->edge);
+  f->edge = origin.outer;
+  double gap = 0.0;
+  for (size_t i = 0; i < f->count; ++i)
+    gap += f->weight[i] *
+           gap_of(f->mark[i], origin.r + po_edge_displacement(&origin, f->back[i]), &f->panel[i]);
+  return po_law_expected_gap(&f->mark[0]->scene.law, gap);
+}
+
+/* The predicted state at the nodes of an equilibrium. Given: core, the number of nodes inside the
+ * domain. Returned: state, n + 1. */
+static void predicted_state(predictor *f, const po_equilibrium *e, size_t core, double *state) {
+  const size_t n = e->n;
+  for (size_t j = 0; j < core; ++j)
+    state[j] = predicted_gap(f, e->surface->node[j]);
+  for (size_t back = 0; back <= n - core; ++back) { /* from the approach inwards */
+    double value = back > 0 ? e->initial_gap[n - back] : 0.0;
+    for (size_t i = 0; i < f->count; ++i) {
+      const po_solution *p = &f->mark[i]->point;
+      value += f->weight[i] * (back > 0 ? p->deflection[p->n - back] : p->state[p->n]);
+    }
+    state[n - back] = value;
+  }
+}
+
+/* The largest error of the predicted gap in the core, relative to 1 + H. Given: the special point
+ * solved. */
+static double error_of(predictor *f, const po_solution *solved) {
+  double largest = 0.0;
+  for (size_t j = 0; j < solved->core; ++j) {
+    const double expected = predicted_gap(f, solved->node[j]);
+    largest = fmax(largest, fabs(solved->state[j] - expected) /
+                                po_law_size(&f->mark[0]->scene.law, solved->state[j]));
+  }
+  return largest;
 }
 
 /* Sets the scene of a parameter, on the current mesh. */
@@ -71,8 +194,8 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
     status = po_equilibrium_create(&f->scene, po_adaptive_surface(f->adaptive), capacity, &f->e);
   if (!status)
     status = po_corrector_allocate(&f->c, f->e, f->adaptive);
-  for (size_t k = 0; k <= PO_PREDICTOR_MARKS && !status; ++k)
-    status = po_solution_allocate(&f->mark[k].point, capacity);
+  for (size_t k = 0; k <= MARKS && !status; ++k)
+    status = po_solution_allocate(&f->marks[k].point, capacity);
   if (!status)
     status = po_solution_allocate(&f->seed, capacity);
   if (!status)
@@ -90,8 +213,8 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
 void po_follow_destroy(po_follower *f) {
   if (!f)
     return;
-  for (size_t k = 0; k <= PO_PREDICTOR_MARKS; ++k)
-    po_solution_free(&f->mark[k].point);
+  for (size_t k = 0; k <= MARKS; ++k)
+    po_solution_free(&f->marks[k].point);
   po_solution_free(&f->seed);
   po_solution_free(&f->spare);
   po_corrector_free(&f->c);
@@ -129,12 +252,12 @@ static po_status locate(po_follower *f, double *slope, double value[2], po_solut
 }
 
 static void accept(po_follower *f, double at) {
-  po_predictor_point *next = next_mark(f);
+  mark *next = next_mark(f);
   next->at = at;
   next->scene = f->scene;
   next->domain = f->c.domain;
-  f->latest = (f->latest + 1) % (PO_PREDICTOR_MARKS + 1);
-  f->count += f->count < PO_PREDICTOR_MARKS;
+  f->latest = (f->latest + 1) % (MARKS + 1);
+  f->count += f->count < MARKS;
 }
 
 po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_kind of, double at) {
@@ -166,28 +289,24 @@ static void seed_from_guess(po_follower *f) {
 /* One attempt at a step. Given: last, whether the special point is given up if the attempt fails.
  * Returned: the error of the predictor, if a solution was found. */
 static po_status try_step(po_follower *f, double at, bool last, double *error) {
-  const po_predictor_point *marks[PO_PREDICTOR_MARKS];
-  po_predictor predictor;
-  for (size_t k = 0; k < f->count; ++k)
-    marks[k] = mark_of(f, k);
-  if (!po_predictor_make(marks, f->count, at, &predictor)) {
+  predictor p;
+  if (!predict(f, at, &p)) {
     if (!last)
       return PO_NOT_CONVERGED;
-    po_predictor_still(marks, f->count, at, &predictor);
+    predict_still(f, at, &p);
   }
   set_scene(f, at);
-  po_status status =
-      mesh_for(f, marks[0]->point.panels, &(po_gap_field){po_predictor_gap, &predictor});
+  po_status status = mesh_for(f, mark_of(f, 0)->point.panels, &(po_gap_field){predicted_gap, &p});
   if (status)
     return status;
-  po_predictor_state(&predictor, f->e, po_corrector_moving_nodes(&f->c), f->c.guess);
+  predicted_state(&p, f->e, po_corrector_moving_nodes(&f->c), f->c.guess);
   seed_from_guess(f);
   double slope = f->slope, value[2];
   po_solution *out = &next_mark(f)->point;
   status = locate(f, &slope, value, out);
   if (status)
     return status;
-  *error = po_predictor_error(&predictor, out);
+  *error = error_of(&p, out);
   if (!(*error < GREATEST_PREDICTOR_ERROR) || !(slope * f->slope > 0.0))
     return PO_NOT_CONVERGED;
   f->slope = slope;

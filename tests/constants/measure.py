@@ -49,7 +49,6 @@ USED_BY = {
     "po_triangle.c": r"--scheme triangle", "po_surface.c": FIXED + "|" + RIGID, "po_rigid.c": RIGID, "po_rigid_trace.c": RIGID,
     "po_wavy_rigid.c": r"^theory rigid", "po_jkr_path.c": r"preload|hysteresis",
     "po_diagnosis.c": r"diagnostics", "po_diagnose.h": r"diagnostics", "po_follow.c": FOLLOW,
-    "po_parameter_predictor.h": FOLLOW,
     **{name: PANELS for name in ("po_panel_table.h", "po_panels.h", "po_moving_edges.c", "po_moving_edges.h",
                                  "po_refine.c", "po_resolution.c", "po_resolution.h", "po_extent.c")}}
 
