@@ -12,21 +12,8 @@
  * finest meshes of (3, 1, 20) take four a wave. */
 static const double ROOM = 4096.0, ROOM_A_WAVE = 8.0;
 
-struct po_adaptive {
-  const po_panel_table *table;
-  double domain, decay; /* decay: of the traction beyond */
-  bool unbounded, wavy;
-  size_t most; /* panels */
-  po_panels panels, draft;
-  po_surface surface;
-};
-
 static size_t nodes_of(const po_adaptive *a, const po_panels *panels) {
   return (panels->count + (a->unbounded ? 1 : 0)) * PO_TABLE_ORDER;
-}
-
-size_t po_adaptive_capacity(const po_adaptive *a) {
-  return (a->most + 1) * PO_TABLE_ORDER;
 }
 
 static size_t room_of(const po_scene *scene, double domain) {
@@ -34,19 +21,6 @@ static size_t room_of(const po_scene *scene, double domain) {
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
     room += ROOM_A_WAVE * domain / po_scene_wave(scene, k).length;
   return (size_t)fmin(room, PO_MOST_PANELS);
-}
-
-const po_surface *po_adaptive_surface(const po_adaptive *a) {
-  return &a->surface;
-}
-const po_panels *po_adaptive_panels(const po_adaptive *a) {
-  return &a->panels;
-}
-po_panels *po_adaptive_draft(po_adaptive *a) {
-  return &a->draft;
-}
-double po_adaptive_domain(const po_adaptive *a) {
-  return a->domain;
 }
 
 po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t level,
@@ -61,13 +35,13 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   a->wavy = po_scene_is_wavy(scene);
   a->decay = po_panel_decay(scene);
   a->most = room_of(scene, domain);
-  const size_t most = po_adaptive_capacity(a);
+  a->capacity = (a->most + 1) * PO_TABLE_ORDER;
   po_surface *s = &a->surface;
   s->core_radius = domain;
-  s->node = po_reserve(most, sizeof *s->node);
-  s->weight = po_reserve(most, sizeof *s->weight);
-  s->length = po_reserve(most, sizeof *s->length);
-  s->reach = po_reserve(most, sizeof *s->reach);
+  s->node = po_reserve(a->capacity, sizeof *s->node);
+  s->weight = po_reserve(a->capacity, sizeof *s->weight);
+  s->length = po_reserve(a->capacity, sizeof *s->length);
+  s->reach = po_reserve(a->capacity, sizeof *s->reach);
   po_panels_uniform(&a->draft, level);
   po_status status = PO_NO_MEMORY;
   if (a->table && s->node && s->weight && s->length && s->reach)

@@ -7,7 +7,17 @@
 #include "po_panels.h"
 #include "po_surface.h"
 
-typedef struct po_adaptive po_adaptive;
+/* Other files read it, and change the draft only. The surface is on the current mesh: it stays the
+ * same object, and its content changes with the mesh. */
+typedef struct {
+  const po_panel_table *table;
+  double domain, decay; /* domain: eps; decay: of the traction beyond */
+  bool unbounded, wavy;
+  size_t most, capacity; /* panels, and nodes, for which the surface has room */
+  po_panels panels;      /* of the current mesh, without the one to infinity */
+  po_panels draft;       /* a mesh for the caller to make and to give to po_adaptive_mesh */
+  po_surface surface;
+} po_adaptive;
 
 /* Creates a surface with 2^level equal panels on [0, domain]. If the scene is unbounded, one more
  * panel reaches from there to infinity and carries the law averaged over the waviness; `domain`
@@ -15,21 +25,6 @@ typedef struct po_adaptive po_adaptive;
 po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t level,
                              po_adaptive **adaptive);
 void po_adaptive_destroy(po_adaptive *adaptive);
-
-/* Returned: the surface on the current mesh. The object stays the same; its content changes with
- * the mesh. */
-const po_surface *po_adaptive_surface(const po_adaptive *adaptive);
-
-/* Returned: the panels of the current mesh, without the one to infinity; and the domain, eps. */
-const po_panels *po_adaptive_panels(const po_adaptive *adaptive);
-double po_adaptive_domain(const po_adaptive *adaptive);
-
-/* Returned: a mesh for the caller to make and to give to po_adaptive_mesh. */
-po_panels *po_adaptive_draft(po_adaptive *adaptive);
-
-/* Returned: the largest number of nodes that the surface can have, for the allocation of arrays
- * over the nodes. */
-size_t po_adaptive_capacity(const po_adaptive *adaptive);
 
 /* Finds the panels to which n nodes belong. Given: node, n radii (eps) inside the domain,
  * ascending. Status: PO_BAD_INPUT if they are not the nodes of panels. */

@@ -126,8 +126,8 @@ static double undeformed_gap(void *data, double r) {
 static po_status mesh_undeformed(po_continuation *t, double approach) {
   undeformed u = {t->c.e->scene, approach};
   const po_gap_field field = {undeformed_gap, &u};
-  po_panels *const panels = po_adaptive_draft(t->c.adaptive);
-  po_panels_copy(po_adaptive_panels(t->c.adaptive), panels);
+  po_panels *const panels = &t->c.adaptive->draft;
+  po_panels_copy(&t->c.adaptive->panels, panels);
   const po_status status = po_resolution_panels(&t->resolution, &field, panels);
   return status ? status : po_corrector_mesh(&t->c, panels);
 }

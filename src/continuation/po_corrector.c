@@ -23,8 +23,8 @@ po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive 
                       .direction = 1,
                       .farthest = INFINITY};
   if (adaptive) {
-    c->domain = po_adaptive_domain(adaptive);
-    c->capacity = po_adaptive_capacity(adaptive);
+    c->domain = adaptive->domain;
+    c->capacity = adaptive->capacity;
   }
   c->border = po_reserve(c->capacity + 1, sizeof *c->border);
   c->guess = po_reserve(c->capacity + 1, sizeof *c->guess);
@@ -39,7 +39,7 @@ void po_corrector_free(po_corrector *c) {
 }
 
 po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
-  if (po_panels_equal(panels, po_adaptive_panels(c->adaptive)))
+  if (po_panels_equal(panels, &c->adaptive->panels))
     return PO_OK;
   c->trouble = po_adaptive_mesh(c->adaptive, panels);
   if (c->trouble)
@@ -50,7 +50,7 @@ po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
 }
 
 size_t po_corrector_moving_nodes(const po_corrector *c) {
-  return c->adaptive ? po_adaptive_panels(c->adaptive)->count * PO_TABLE_ORDER : 0;
+  return c->adaptive ? c->adaptive->panels.count * PO_TABLE_ORDER : 0;
 }
 
 void po_corrector_guess(po_corrector *c, const po_solution *p) {

@@ -175,7 +175,7 @@ static double error_of(predictor *f, const po_solution *solved) {
 static void set_scene(po_follower *f, double at) {
   f->options.scene_at(f->options.data, at, &f->scene);
   po_adaptive_resize(f->adaptive, f->options.domain_of(&f->scene));
-  f->c.domain = f->resolution.domain = po_adaptive_domain(f->adaptive);
+  f->c.domain = f->resolution.domain = f->adaptive->domain;
   po_equilibrium_rescale(f->e);
   po_equilibrium_remesh(f->e);
 }
@@ -189,9 +189,9 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
   options->scene_at(options->data, at, &f->scene);
   po_status status =
       po_adaptive_create(&f->scene, options->domain_of(&f->scene), ROOT_LEVEL, &f->adaptive);
-  const size_t capacity = status ? 0 : po_adaptive_capacity(f->adaptive);
+  const size_t capacity = status ? 0 : f->adaptive->capacity;
   if (!status)
-    status = po_equilibrium_create(&f->scene, po_adaptive_surface(f->adaptive), capacity, &f->e);
+    status = po_equilibrium_create(&f->scene, &f->adaptive->surface, capacity, &f->e);
   if (!status)
     status = po_corrector_allocate(&f->c, f->e, f->adaptive);
   for (size_t k = 0; k <= MARKS && !status; ++k)
@@ -226,7 +226,7 @@ void po_follow_destroy(po_follower *f) {
 /* Makes panels that resolve a field the current mesh, adapted from other panels. */
 static po_status mesh_for(po_follower *f, const po_panels *from, const po_gap_field *field) {
   const po_resolution margin = po_resolution_for_mesh(&f->resolution);
-  po_panels *const panels = po_adaptive_draft(f->adaptive);
+  po_panels *const panels = &f->adaptive->draft;
   po_panels_copy(from, panels);
   const po_status status = po_resolution_panels(&margin, field, panels);
   return status ? status : po_corrector_mesh(&f->c, panels);
@@ -391,11 +391,11 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
 }
 
 double po_follow_domain(const po_follower *f) {
-  return po_adaptive_domain(f->adaptive);
+  return f->adaptive->domain;
 }
 
 po_work po_follow_work(const po_follower *f) {
   po_work work = f->e->work;
-  work.kernel_evaluations = po_adaptive_surface(f->adaptive)->kernel_evaluations;
+  work.kernel_evaluations = f->adaptive->surface.kernel_evaluations;
   return work;
 }

@@ -203,7 +203,7 @@ static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
   c->e->precision = PO_FINEST_PRECISION;
   for (double part = CONTRIBUTES; status == PO_OUT_OF_NODES && part <= MOST_CONTRIBUTES;
        part *= COARSER) {
-    po_panels *const panels = po_adaptive_draft(c->adaptive);
+    po_panels *const panels = &c->adaptive->draft;
     c->trouble = PO_OK;
     status = finer_panels(resolution, r->point, part, panels)
                  ? solve_on(c, panels, how, r->point, finer, value)
@@ -243,7 +243,7 @@ static po_status estimate(po_corrector *c, const po_resolution *resolution,
 po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
                     po_refined *r) {
   po_panels *const before = how->spare[0]->wanted;
-  po_panels_copy(po_adaptive_panels(c->adaptive), before);
+  po_panels_copy(&c->adaptive->panels, before);
   const int direction = c->direction;
   c->direction = 0;
   const po_status status = estimate(c, resolution, how, r);

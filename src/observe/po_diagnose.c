@@ -59,7 +59,7 @@ static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adapti
                          double *state) {
   po_status status = PO_OK;
   if (adaptive) {
-    po_panels *const panels = po_adaptive_draft(adaptive);
+    po_panels *const panels = &adaptive->draft;
     status = po_adaptive_panels_of(adaptive, kept->n, kept->node, panels);
     if (!status)
       status = po_adaptive_mesh(adaptive, panels);
@@ -110,7 +110,7 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
                              po_equilibrium *e, po_adaptive *adaptive, po_result *result) {
   po_diagnostics *d = &result->diagnostics;
   const double begin = po_clock_wall();
-  const size_t capacity = adaptive ? po_adaptive_capacity(adaptive) : e->n;
+  const size_t capacity = adaptive ? adaptive->capacity : e->n;
   double *state = po_allocate(capacity + 1, sizeof *state);
   d->states = po_allocate(PO_MOST_KEPT, sizeof *d->states);
   po_status status = state && d->states ? PO_OK : PO_NO_MEMORY;

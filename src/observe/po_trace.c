@@ -74,7 +74,7 @@ static po_status unless_stopped(po_reader *reader, po_status status) {
 
 static po_status trace_elastic(const po_request *request, const po_attempt *a, po_reader *reader,
                                po_adaptive *panels) {
-  const size_t capacity = panels ? po_adaptive_capacity(panels) : reader->surface->n;
+  const size_t capacity = panels ? panels->capacity : reader->surface->n;
   const po_continuation_options options = options_of(request, a->begin, reader);
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
@@ -186,7 +186,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
     status = make_surface(request, rigid, a->core, &fixed, &panels);
   if (status)
     goto done;
-  reader.surface = panels ? po_adaptive_surface(panels) : fixed;
+  reader.surface = panels ? &panels->surface : fixed;
   status =
       rigid ? trace_rigid(request, a->begin, &reader) : trace_elastic(request, a, &reader, panels);
   if (!status)

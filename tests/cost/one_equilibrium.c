@@ -103,12 +103,12 @@ po_status equilibrium_measure(const po_scene *scene, const po_result *solved, si
     }
     solution[n] = solved->profile_approach;
     m.border[n] = 1.0;
-    status = po_adaptive_panels_of(adaptive, n, node, po_adaptive_draft(adaptive));
+    status = po_adaptive_panels_of(adaptive, n, node, &adaptive->draft);
   }
   if (!status)
-    status = po_adaptive_mesh(adaptive, po_adaptive_draft(adaptive));
+    status = po_adaptive_mesh(adaptive, &adaptive->draft);
   if (!status)
-    status = measure_both(scene, po_adaptive_surface(adaptive), most_dense, &m, cost);
+    status = measure_both(scene, &adaptive->surface, most_dense, &m, cost);
   po_adaptive_destroy(adaptive);
   free(node);
   free(solution);

@@ -78,9 +78,7 @@ START_TEST(energy_derivative_is_the_load_on_panels) {
   po_adaptive *panels = NULL;
   po_equilibrium *e = NULL;
   ck_assert_int_eq(po_adaptive_create(scene, domain, 4, &panels), PO_OK);
-  ck_assert_int_eq(
-      po_equilibrium_create(scene, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
-      PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, &panels->surface, panels->capacity, &e), PO_OK);
   balance b = {.enough = 0.5};
   po_continuation_options options = po_continuation_options_default();
   options.largest_sagitta = 5e-6;

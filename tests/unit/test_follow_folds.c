@@ -64,9 +64,7 @@ static void trace(const series *l, folds *f) {
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
   ck_assert_int_eq(po_adaptive_create(&scene, domain_of(&scene), 4, &panels), PO_OK);
-  ck_assert_int_eq(
-      po_equilibrium_create(&scene, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
-      PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, &panels->surface, panels->capacity, &e), PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   *f = (folds){.most = l->folds};
   po_continuation_options options = po_continuation_options_default();

@@ -29,7 +29,7 @@ static void set_up(fixture *f, double tabor, double outer_radius, bool on_panels
       on_panels ? po_adaptive_create(&f->scene, outer_radius, LEVEL, &f->panels)
                 : po_surface_create(&f->scene, &mesh, outer_radius, true, &f->triangles);
   ck_assert_int_eq(made, PO_OK);
-  const po_surface *s = on_panels ? po_adaptive_surface(f->panels) : f->triangles;
+  const po_surface *s = on_panels ? &f->panels->surface : f->triangles;
   ck_assert_uint_eq(s->n, NODES);
   ck_assert_int_eq(po_equilibrium_create(&f->scene, s, NODES, &f->e), PO_OK);
   for (size_t j = 0; j < NODES; ++j)

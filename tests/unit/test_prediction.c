@@ -33,9 +33,7 @@ static double trace(steps *s) {
   po_continuation *continuation = NULL;
   const double domain = po_observe_domain(&SCENE, po_surface_core(&SCENE, NAN));
   ck_assert_int_eq(po_adaptive_create(&SCENE, domain, 4, &panels), PO_OK);
-  ck_assert_int_eq(
-      po_equilibrium_create(&SCENE, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
-      PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&SCENE, &panels->surface, panels->capacity, &e), PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
@@ -44,7 +42,7 @@ static double trace(steps *s) {
       po_continuation_create(e, panels, po_observe_allowance(TOLERANCE), &options, &continuation),
       PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
-  const double met = po_adaptive_domain(panels);
+  const double met = panels->domain;
   po_continuation_destroy(continuation);
   po_equilibrium_destroy(e);
   po_adaptive_destroy(panels);

@@ -66,8 +66,8 @@ static void compare_along(const po_scene *scene, double error) {
   po_continuation *continuation = NULL;
   const double domain = po_observe_domain(scene, po_surface_core(scene, NAN));
   ck_assert_int_eq(po_adaptive_create(scene, domain, 4, &panels), PO_OK);
-  const size_t capacity = po_adaptive_capacity(panels);
-  ck_assert_int_eq(po_equilibrium_create(scene, po_adaptive_surface(panels), capacity, &e), PO_OK);
+  const size_t capacity = panels->capacity;
+  ck_assert_int_eq(po_equilibrium_create(scene, &panels->surface, capacity, &e), PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   comparison c = {.e = e, .error = error, .border = po_reserve(capacity + 1, sizeof(double))};
   ck_assert_ptr_nonnull(c.border);

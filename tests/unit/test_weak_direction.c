@@ -38,8 +38,7 @@ START_TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
   ck_assert_int_eq(po_adaptive_create(&request.scene, domain, 4, &panels), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&request.scene, po_adaptive_surface(panels),
-                                         po_adaptive_capacity(panels), &e),
+  ck_assert_int_eq(po_equilibrium_create(&request.scene, &panels->surface, panels->capacity, &e),
                    PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   double position = 0.0;
