@@ -40,11 +40,7 @@ static size_t find(const po_panels *panels, uint64_t at) {
   return low;
 }
 
-size_t po_panels_find(const po_panels *panels, double x) {
-  return find(panels, whole_place(x));
-}
-
-size_t po_panels_find_near(const po_panels *panels, double x, size_t near) {
+size_t po_panels_find(const po_panels *panels, double x, size_t near) {
   const uint64_t at = whole_place(x);
   for (size_t k = near; k + 1 < panels->count && k < near + 2; ++k)
     if (whole_begin(panels->panel[k]) <= at && at < whole_begin(panels->panel[k + 1]))

@@ -67,11 +67,9 @@ static inline double po_panel_place(po_panel panel, double x) {
   return x * (double)((uint64_t)1 << panel.level) - (double)panel.index;
 }
 
-/* Returned: the index of the panel that contains x (relative to the domain, 0 <= x < 1). */
-size_t po_panels_find(const po_panels *panels, double x);
-
-/* The same, faster if it is the panel `near` or the one after it. */
-size_t po_panels_find_near(const po_panels *panels, double x, size_t near);
+/* Returned: the index of the panel that contains x (relative to the domain, 0 <= x < 1). It is
+ * found faster if it is the panel `near` or the one after it. */
+size_t po_panels_find(const po_panels *panels, double x, size_t near);
 
 bool po_panel_equal(po_panel a, po_panel b);
 bool po_panels_equal(const po_panels *a, const po_panels *b);

@@ -64,7 +64,8 @@ static value value_on_elements(const po_contact_gap *g, double r) {
 
 static value value_at(const po_contact_gap *g, double r) {
   if (g->solution) {
-    const po_solution_value v = po_solution_value_at(g->solution, g->scene, g->end, r);
+    po_solution_field field = {g->solution, g->scene, g->end, 0};
+    const po_solution_value v = po_solution_value_at(&field, r);
     return (value){v.gap, v.slope};
   }
   if (g->n)
@@ -111,7 +112,7 @@ static double inwards(const po_contact_gap *g, double r) {
   double step = INFINITY, begin = 0.0;
   if (g->solution) {
     const po_panels *panels = g->solution->panels;
-    size_t k = po_panels_find(panels, r / g->end);
+    size_t k = po_panels_find(panels, r / g->end, 0);
     if (k > 0 && g->end * po_panel_begin(panels->panel[k]) >= r)
       --k;
     begin = g->end * po_panel_begin(panels->panel[k]);
@@ -142,7 +143,7 @@ static double skip(const sought *s, double r) {
   if (!g->solution)
     return g->n ? r : skip_rigid(s, r);
   const po_panels *panels = g->solution->panels;
-  size_t k = po_panels_find(panels, r / g->end);
+  size_t k = po_panels_find(panels, r / g->end, 0);
   const double begin = g->end * po_panel_begin(panels->panel[k]);
   double least = INFINITY, largest = -INFINITY;
   for (size_t j = k * PO_TABLE_ORDER; j < (k + 1) * PO_TABLE_ORDER; ++j) {

@@ -128,7 +128,7 @@ static po_status mesh_undeformed(po_continuation *t, double approach) {
   const po_gap_field field = {undeformed_gap, &u};
   po_panels *const panels = &t->c.adaptive->draft;
   po_panels_copy(&t->c.adaptive->panels, panels);
-  const po_status status = po_resolution_panels(&t->resolution, &field, panels);
+  const po_status status = po_resolution_panels(&t->c.resolution, &field, panels);
   return status ? status : po_corrector_mesh(&t->c, panels);
 }
 
@@ -181,7 +181,7 @@ static po_status start(po_continuation *t) {
                    approach);
   po_solution_finish(p, e, t->c.adaptive);
   e->factorized = false; /* their border is the approach, not the arclength functional */
-  return po_continuation_want_mesh(t, p);
+  return po_corrector_want_mesh(&t->c, p);
 }
 
 /* Traces from the current point until the visitor ends the trace, or the branch returns to its
@@ -257,10 +257,9 @@ po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adapt
   t->error_factor = NAN;
   po_solution *points[MOST_POINTS_KEPT];
   const size_t count = points_of(t, points);
-  po_status status = po_corrector_allocate(&t->c, equilibrium, adaptive);
+  po_status status = po_corrector_allocate(&t->c, equilibrium, adaptive, allowed);
   for (size_t k = 0; k < count && !status; ++k)
     status = po_solution_allocate(points[k], t->c.capacity);
-  t->resolution = (po_resolution){equilibrium, t->c.domain, allowed};
   if (!status)
     return PO_OK;
   po_continuation_destroy(t);

@@ -6,13 +6,11 @@
 #include "po_continuation.h"
 #include "po_corrector.h"
 #include "po_prediction.h"
-#include "po_resolution.h"
 #include "po_special_point.h"
 
 struct po_continuation {
   po_corrector c;
   po_continuation_options options;
-  po_resolution resolution;
   po_solution previous, current, next, inner, spare, at_event[PO_MOST_EVENTS];
   po_events events;
   double step;
@@ -34,10 +32,6 @@ extern const double PO_STEP_TANGENT;
 
 /* Whether the mesh consists of panels that follow the contact edges. */
 bool po_continuation_moves(const po_continuation *t);
-
-/* Sets p->wanted to the coarsest mesh that resolves the solution p. Does nothing on a fixed mesh.
- */
-po_status po_continuation_want_mesh(po_continuation *t, po_solution *p);
 
 /* Solves for the equilibrium at a distance along the arclength functional from the current point,
  * on a mesh that resolves it. Given: the prediction; `keep`, whether the current mesh and factors

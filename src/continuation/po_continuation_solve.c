@@ -24,29 +24,6 @@ static void guess(po_continuation *t, po_prediction *p) {
   po_prediction_state(p, t->c.e->surface, po_corrector_moving_nodes(&t->c), t->c.guess);
 }
 
-/* Adapts panels so that they resolve a field with a margin. */
-static po_status resolve(po_continuation *t, const po_gap_field *field, po_panels *panels) {
-  const po_resolution margin = po_resolution_for_mesh(&t->resolution);
-  return t->c.trouble = po_resolution_panels(&margin, field, panels);
-}
-
-po_status po_continuation_want_mesh(po_continuation *t, po_solution *p) {
-  if (!po_continuation_moves(t))
-    return PO_OK;
-  po_solution_field solved = {p, t->c.e->scene, t->c.domain, 0};
-  po_panels_copy(p->panels, p->wanted);
-  return resolve(t, &(po_gap_field){po_solution_gap, &solved}, p->wanted);
-}
-
-/* Makes the mesh that resolves the solution the current one, and the solution the guess on it. */
-static po_status guess_from_solved(po_continuation *t, const po_solution *out) {
-  po_solution_copy(out, &t->spare);
-  const po_status status = po_corrector_mesh(&t->c, t->spare.wanted);
-  if (!status)
-    po_corrector_guess(&t->c, &t->spare);
-  return status;
-}
-
 /* Whether panels that move with the coordinates follow all contact edges. */
 static bool all_move(const po_continuation *t, const po_prediction *p) {
   return p->edges.count == t->current.edges.all;
@@ -70,7 +47,7 @@ static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_me
     return t->c.trouble = po_resolution_fail(panels);
   po_status status = PO_OK;
   if (!all_move(t, p))
-    status = resolve(t, &(po_gap_field){po_prediction_gap, p}, panels);
+    status = po_corrector_adapt(&t->c, &(po_gap_field){po_prediction_gap, p}, panels);
   if (!status)
     status = po_corrector_mesh(&t->c, panels);
   if (!status)
@@ -83,12 +60,9 @@ po_status po_continuation_solve_guessed(po_continuation *t, double distance, boo
   po_status status = PO_OK;
   for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT && !status; ++mesh) {
     status = po_corrector_solve(&t->c, &t->current, distance, keep, precision, out);
-    if (status || !po_continuation_moves(t) ||
-        po_resolution_excess(&t->resolution, out->panels, out->state) <= 1.0)
+    if (status || po_corrector_is_resolved(&t->c, out))
       return status;
-    status = po_continuation_want_mesh(t, out);
-    if (!status)
-      status = guess_from_solved(t, out);
+    status = po_corrector_follow_solved(&t->c, out, &t->spare);
   }
   return status ? status : PO_NOT_CONVERGED;
 }
@@ -134,7 +108,7 @@ bool po_continuation_settle(po_continuation *t, double step) {
                          po_continuation_tangent_precision(t, step), &t->next))
     return false;
   t->next.position = t->current.position;
-  if (po_continuation_want_mesh(t, &t->next))
+  if (po_corrector_want_mesh(&t->c, &t->next))
     return false;
   po_solution_exchange(&t->current, &t->next);
   t->has_previous = false;

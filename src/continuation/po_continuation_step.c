@@ -122,7 +122,7 @@ static po_status solve_inner(void *data, double at, bool roughly, po_sample *sam
     status = po_continuation_solve_guessed(t, at, true, precision, &t->inner);
   } else {
     po_prediction p;
-    po_prediction_make(t->c.e->scene, t->c.domain, &t->current, &t->next, at, &p);
+    po_prediction_make(t->c.e, &t->current, &t->next, at, &p);
     status = po_continuation_solve(t, &p, at, true, precision, &t->inner, NULL);
   }
   t->inner_at = status ? (double)NAN : at;
@@ -207,7 +207,7 @@ static void judge(po_continuation *t, const po_event *ev, po_branch_point *point
       point->kind == PO_POINT_LOAD_MIN ? t->options.sharpness * fabs(point->load) : INFINITY;
   const po_refinement how = {ev->of, refine_slope(ev, cosine), enough, {&t->spare, &t->inner}};
   po_refined r = {.point = point->solution, .value = {point->approach, point->load}};
-  const po_status status = po_refine(&t->c, &t->resolution, &how, &r);
+  const po_status status = po_refine(&t->c, &how, &r);
   if (!status) {
     point->approach_correction = r.value[0] - point->approach;
     point->load_correction = r.value[1] - point->load;
@@ -312,8 +312,8 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
   po_prediction p;
   if (!po_continuation_moves(t))
     corrector_aim(&t->c, &t->current);
-  a->step = po_prediction_reach(t->c.e->scene, t->c.domain, &t->current,
-                                t->has_previous ? &t->previous : NULL, step, AIMED_ERROR, &p);
+  a->step = po_prediction_reach(t->c.e, &t->current, t->has_previous ? &t->previous : NULL, step,
+                                AIMED_ERROR, &p);
   a->next = 0.5 * a->step;
   a->met = false;
   if (!(a->step > 0.0))
@@ -340,7 +340,7 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
   }
   status = find_events(t);
   if (!status)
-    status = po_continuation_want_mesh(t, &t->next);
+    status = po_corrector_want_mesh(&t->c, &t->next);
   if (!status)
     a->next = fmin(a->step * joined, next_step(t, &p, a->step, error));
   return status;

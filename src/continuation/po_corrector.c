@@ -15,17 +15,14 @@ enum { MOST_RENEWALS = 2, MOST_FACTORS = 2 };
 
 static const double NEAR = 0.1;
 
-po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
+po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive,
+                                po_allowance allowed) {
   *c = (po_corrector){.e = e,
                       .adaptive = adaptive,
-                      .domain = e->surface->core_radius,
-                      .capacity = e->n,
+                      .resolution = {e, allowed},
+                      .capacity = adaptive ? adaptive->capacity : e->n,
                       .direction = 1,
                       .farthest = INFINITY};
-  if (adaptive) {
-    c->domain = adaptive->domain;
-    c->capacity = adaptive->capacity;
-  }
   c->border = po_reserve(c->capacity + 1, sizeof *c->border);
   c->guess = po_reserve(c->capacity + 1, sizeof *c->guess);
   c->coordinate = po_reserve(c->capacity + 1, sizeof *c->coordinate);
@@ -49,12 +46,46 @@ po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
   return PO_OK;
 }
 
+/* A mesh is made for this part of the allowed errors and kept until the allowed errors are
+ * exceeded, so that the contact edges can move a little on it. */
+static const double MESH_MARGIN = 0.2;
+
+po_status po_corrector_adapt(po_corrector *c, const po_gap_field *field, po_panels *panels) {
+  po_resolution margin = c->resolution;
+  margin.allowed.gap *= MESH_MARGIN;
+  margin.allowed.load *= MESH_MARGIN;
+  return c->trouble = po_resolution_panels(&margin, field, panels);
+}
+
+po_status po_corrector_want_mesh(po_corrector *c, po_solution *p) {
+  if (!c->adaptive)
+    return PO_OK;
+  po_solution_field solved = {p, c->e->scene, c->adaptive->domain, 0};
+  po_panels_copy(p->panels, p->wanted);
+  return po_corrector_adapt(c, &(po_gap_field){po_solution_gap, &solved}, p->wanted);
+}
+
+bool po_corrector_is_resolved(const po_corrector *c, const po_solution *p) {
+  return !c->adaptive || po_resolution_excess(&c->resolution, p->panels, p->state) <= 1.0;
+}
+
+po_status po_corrector_follow_solved(po_corrector *c, po_solution *p, po_solution *spare) {
+  po_status status = po_corrector_want_mesh(c, p);
+  if (status)
+    return status;
+  po_solution_copy(p, spare);
+  status = po_corrector_mesh(c, spare->wanted);
+  if (!status)
+    po_corrector_guess(c, spare);
+  return status;
+}
+
 size_t po_corrector_moving_nodes(const po_corrector *c) {
   return c->adaptive ? c->adaptive->panels.count * PO_TABLE_ORDER : 0;
 }
 
 void po_corrector_guess(po_corrector *c, const po_solution *p) {
-  po_solution_field field = {p, c->e->scene, c->domain, 0};
+  po_solution_field field = {p, c->e->scene, c->e->surface->core_radius, 0};
   const size_t core = po_corrector_moving_nodes(c), n = c->e->n;
   for (size_t j = 0; j < core; ++j)
     c->guess[j] = po_solution_gap(&field, c->e->surface->node[j]);
@@ -65,8 +96,7 @@ void po_corrector_guess(po_corrector *c, const po_solution *p) {
 
 void po_corrector_guess_near(po_corrector *c, const po_solution *p, double distance) {
   po_prediction prediction;
-  if (p->edges.count > 0 &&
-      po_prediction_make(c->e->scene, c->domain, p, NULL, distance, &prediction)) {
+  if (p->edges.count > 0 && po_prediction_make(c->e, p, NULL, distance, &prediction)) {
     po_prediction_state(&prediction, c->e->surface, po_corrector_moving_nodes(c), c->guess);
     return;
   }

@@ -6,13 +6,14 @@
 
 #include <stdbool.h>
 
+#include "po_resolution.h"
 #include "po_solution.h"
 #include "po_special_point.h"
 
 typedef struct {
   po_equilibrium *e;
-  po_adaptive *adaptive;  /* NULL for a fixed mesh */
-  double domain;          /* radius of the domain, eps */
+  po_adaptive *adaptive; /* NULL for a fixed mesh */
+  po_resolution resolution;
   size_t capacity;        /* largest number of nodes */
   double *border, *guess; /* capacity + 1 */
   double *coordinate;     /* capacity + 1: work, coordinates of the arclength */
@@ -23,10 +24,26 @@ typedef struct {
                         panels */
 } po_corrector;
 
-/* Given: equilibrium and panels (NULL for a fixed mesh), which must outlive the corrector. Status:
- * PO_NO_MEMORY. */
-po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive);
+/* Given: equilibrium and panels (NULL for a fixed mesh), which must outlive the corrector; the
+ * errors that the resolution of panels may leave. Status: PO_NO_MEMORY. */
+po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive,
+                                po_allowance allowed);
 void po_corrector_free(po_corrector *c);
+
+/* Adapts panels so that they resolve a field with a margin. Status: PO_OUT_OF_NODES, which is also
+ * stored in `trouble`. */
+po_status po_corrector_adapt(po_corrector *c, const po_gap_field *field, po_panels *panels);
+
+/* Sets p->wanted to the coarsest mesh that resolves the solution p so. Does nothing on a fixed
+ * mesh. Status: as above. */
+po_status po_corrector_want_mesh(po_corrector *c, po_solution *p);
+
+/* Whether the mesh resolves a solution on it, or is fixed. */
+bool po_corrector_is_resolved(const po_corrector *c, const po_solution *p);
+
+/* Makes a mesh that resolves a solution the current one, and the solution the guess on it.
+ * Returned: p->wanted; a copy of the solution, in spare. Status: as above. */
+po_status po_corrector_follow_solved(po_corrector *c, po_solution *p, po_solution *spare);
 
 /* Makes `panels` the current mesh. Status: PO_OUT_OF_NODES, which is also stored in `trouble`. */
 po_status po_corrector_mesh(po_corrector *c, const po_panels *panels);

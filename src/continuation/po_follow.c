@@ -39,7 +39,6 @@ struct po_follower {
   po_adaptive *adaptive;
   po_equilibrium *e;
   po_corrector c;
-  po_resolution resolution;
   po_event_kind of;
   mark marks[MARKS + 1]; /* ring buffer, with one element for the next mark */
   size_t latest, count;
@@ -61,14 +60,19 @@ static mark *next_mark(po_follower *f) {
  * their contact edges. See doc/method.md, "Parameter continuation". */
 typedef struct {
   size_t count;
-  const mark *mark[MARKS]; /* the latest first */
+  double at[MARKS];            /* the parameters of the marks, the latest first */
+  po_solution_field of[MARKS]; /* their solutions */
   double weight[MARKS];
   po_moving_edges edges; /* contact edges of the latest mark that move the coordinates */
   double shift[PO_MOST_MOVING_EDGES];       /* from these to the predicted edges */
   double back[MARKS][PO_MOST_MOVING_EDGES]; /* from these to the edges of each mark */
-  /* where values were last needed: the contact edge beyond, and panels of the marks */
-  size_t edge, panel[MARKS];
+  size_t edge; /* the contact edge beyond the radius where the gap was last needed */
 } predictor;
+
+static void add_mark(predictor *f, const mark *m) {
+  f->at[f->count] = m->at;
+  f->of[f->count++] = (po_solution_field){&m->point, &m->scene, m->domain, 0};
+}
 
 /* The weights of the marks in Lagrange's polynomial at a parameter. */
 static void weigh(predictor *f, double at) {
@@ -76,7 +80,7 @@ static void weigh(predictor *f, double at) {
     f->weight[i] = 1.0;
     for (size_t k = 0; k < f->count; ++k)
       if (k != i)
-        f->weight[i] *= (at - f->mark[k]->at) / (f->mark[i]->at - f->mark[k]->at);
+        f->weight[i] *= (at - f->at[k]) / (f->at[i] - f->at[k]);
   }
 }
 
@@ -99,7 +103,7 @@ static bool move(po_follower *of, bool all, double at, predictor *f) {
       back[k] = edges->at[edges->count - f->edges.count + k] - f->edges.at[k];
     if (!po_edge_may_relate(&f->edges, back))
       break;
-    f->mark[f->count++] = m;
+    add_mark(f, m);
   }
   weigh(f, at);
   for (size_t i = 0; i < f->count; ++i)
@@ -118,17 +122,16 @@ static bool predict(po_follower *of, double at, predictor *f) {
 /* The same in coordinates that do not move, for short steps. Where a contact edge closes or forms
  * at the axis it moves ever faster, and the gap is flat there. */
 static void predict_still(po_follower *of, double at, predictor *f) {
-  *f = (predictor){.count = of->count};
+  *f = (predictor){.count = 0};
   for (size_t i = 0; i < of->count; ++i)
-    f->mark[i] = mark_of(of, i);
+    add_mark(f, mark_of(of, i));
   weigh(f, at);
 }
 
 /* The gap of a mark; outside its domain the undeformed gap. */
-static double gap_of(const mark *m, double r, size_t *panel) {
-  if (r < m->domain)
-    return po_solution_gap_near(&m->point, &m->scene, m->domain, r, panel);
-  return po_initial_gap(&m->scene, r) - m->point.state[m->point.n];
+static double gap_of(po_solution_field *of, double r) {
+  return r < of->domain ? po_solution_gap(of, r)
+                        : po_initial_gap(of->scene, r) - po_solution_approach(of->p);
 }
 
 /* The predicted gap H at a radius, eps; above -1. Given: data, a predictor. */
@@ -138,9 +141,8 @@ static double predicted_gap(void *data, double r) {
   f->edge = origin.outer;
   double gap = 0.0;
   for (size_t i = 0; i < f->count; ++i)
-    gap += f->weight[i] *
-           gap_of(f->mark[i], origin.r + po_edge_displacement(&origin, f->back[i]), &f->panel[i]);
-  return po_law_expected_gap(&f->mark[0]->scene.law, gap);
+    gap += f->weight[i] * gap_of(&f->of[i], origin.r + po_edge_displacement(&origin, f->back[i]));
+  return po_law_expected_gap(&f->of[0].scene->law, gap);
 }
 
 /* The predicted state at the nodes of an equilibrium. Given: core, the number of nodes inside the
@@ -152,7 +154,7 @@ static void predicted_state(predictor *f, const po_equilibrium *e, size_t core, 
   for (size_t back = 0; back <= n - core; ++back) { /* from the approach inwards */
     double value = back > 0 ? e->initial_gap[n - back] : 0.0;
     for (size_t i = 0; i < f->count; ++i) {
-      const po_solution *p = &f->mark[i]->point;
+      const po_solution *p = f->of[i].p;
       value += f->weight[i] * (back > 0 ? p->deflection[p->n - back] : p->state[p->n]);
     }
     state[n - back] = value;
@@ -166,7 +168,7 @@ static double error_of(predictor *f, const po_solution *solved) {
   for (size_t j = 0; j < solved->core; ++j) {
     const double expected = predicted_gap(f, solved->node[j]);
     largest = fmax(largest, fabs(solved->state[j] - expected) /
-                                po_law_size(&f->mark[0]->scene.law, solved->state[j]));
+                                po_law_size(&f->of[0].scene->law, solved->state[j]));
   }
   return largest;
 }
@@ -175,7 +177,6 @@ static double error_of(predictor *f, const po_solution *solved) {
 static void set_scene(po_follower *f, double at) {
   f->options.scene_at(f->options.data, at, &f->scene);
   po_adaptive_resize(f->adaptive, f->options.domain_of(&f->scene));
-  f->c.domain = f->resolution.domain = f->adaptive->domain;
   po_equilibrium_rescale(f->e);
   po_equilibrium_remesh(f->e);
 }
@@ -193,7 +194,7 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
   if (!status)
     status = po_equilibrium_create(&f->scene, &f->adaptive->surface, capacity, &f->e);
   if (!status)
-    status = po_corrector_allocate(&f->c, f->e, f->adaptive);
+    status = po_corrector_allocate(&f->c, f->e, f->adaptive, options->allowed);
   for (size_t k = 0; k <= MARKS && !status; ++k)
     status = po_solution_allocate(&f->marks[k].point, capacity);
   if (!status)
@@ -206,7 +207,6 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
     return status;
   }
   f->e->precision = options->precision;
-  f->resolution = (po_resolution){f->e, f->c.domain, options->allowed};
   return PO_OK;
 }
 
@@ -223,30 +223,17 @@ void po_follow_destroy(po_follower *f) {
   free(f);
 }
 
-/* Makes panels that resolve a field the current mesh, adapted from other panels. */
-static po_status mesh_for(po_follower *f, const po_panels *from, const po_gap_field *field) {
-  const po_resolution margin = po_resolution_for_mesh(&f->resolution);
-  po_panels *const panels = &f->adaptive->draft;
-  po_panels_copy(from, panels);
-  const po_status status = po_resolution_panels(&margin, field, panels);
-  return status ? status : po_corrector_mesh(&f->c, panels);
-}
-
 /* The special point near the guess, on a mesh that resolves it. Given: seed, whose arclength
  * functional is that of the guess. */
 static po_status locate(po_follower *f, double *slope, double value[2], po_solution *out) {
   const po_solution *from = &f->seed;
-  for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT; ++mesh) {
+  for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT; ++mesh, from = &f->spare) {
     po_status status = po_refine_locate(&f->c, from, f->of, slope, out, value);
-    if (status || po_resolution_excess(&f->resolution, out->panels, out->state) <= 1.0)
+    if (status || po_corrector_is_resolved(&f->c, out))
       return status;
-    po_solution_copy(out, &f->spare);
-    from = &f->spare;
-    po_solution_field solved = {from, &f->scene, f->c.domain, 0};
-    status = mesh_for(f, from->panels, &(po_gap_field){po_solution_gap, &solved});
+    status = po_corrector_follow_solved(&f->c, out, &f->spare);
     if (status)
       return status;
-    po_corrector_guess(&f->c, from);
   }
   return PO_NOT_CONVERGED;
 }
@@ -255,7 +242,7 @@ static void accept(po_follower *f, double at) {
   mark *next = next_mark(f);
   next->at = at;
   next->scene = f->scene;
-  next->domain = f->c.domain;
+  next->domain = f->adaptive->domain;
   f->latest = (f->latest + 1) % (MARKS + 1);
   f->count += f->count < MARKS;
 }
@@ -296,7 +283,11 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
     predict_still(f, at, &p);
   }
   set_scene(f, at);
-  po_status status = mesh_for(f, mark_of(f, 0)->point.panels, &(po_gap_field){predicted_gap, &p});
+  po_panels *const panels = &f->adaptive->draft;
+  po_panels_copy(mark_of(f, 0)->point.panels, panels);
+  po_status status = po_corrector_adapt(&f->c, &(po_gap_field){predicted_gap, &p}, panels);
+  if (!status)
+    status = po_corrector_mesh(&f->c, panels);
   if (status)
     return status;
   predicted_state(&p, f->e, po_corrector_moving_nodes(&f->c), f->c.guess);
@@ -365,7 +356,7 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
       .point = &mark_of(f, 0)->point, .value = {f->value[0], f->value[1]}, .error = {NAN, NAN}};
   const double enough = f->of == PO_OF_LOAD ? f->options.sharpness * fabs(f->value[1]) : INFINITY;
   const po_refinement how = {f->of, f->slope, enough, {&f->spare, &f->seed}};
-  if (judged && po_refine(&f->c, &f->resolution, &how, &r)) {
+  if (judged && po_refine(&f->c, &how, &r)) {
     r.error[0] = r.error[1] = NAN;
     r.finer = NULL;
   }

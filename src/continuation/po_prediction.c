@@ -76,9 +76,10 @@ static void hold_kink(po_prediction *p) {
 }
 
 /* Begins a prediction: pairs the contact edges of a with those of b, if they are as many. */
-static po_prediction begin(const po_scene *scene, double domain, const po_solution *a,
-                           const po_solution *b) {
-  po_prediction p = {.scene = scene, .domain = domain, .a = a, .b = b};
+static po_prediction begin(const po_equilibrium *e, const po_solution *a, const po_solution *b) {
+  const po_scene *scene = e->scene;
+  const double domain = e->surface->core_radius;
+  po_prediction p = {.a = a, .b = b, .of_a = {a, scene, domain, 0}, .of_b = {b, scene, domain, 0}};
   p.slope_jump = po_profile_slope_jump(&scene->profile, scene->radius);
   p.kink = p.slope_jump != 0.0 ? po_profile_shape(&scene->profile).kink : INFINITY;
   p.edges = a->edges;
@@ -101,9 +102,9 @@ static bool predict(po_prediction *p, double distance) {
   return useful;
 }
 
-bool po_prediction_make(const po_scene *scene, double domain, const po_solution *a,
-                        const po_solution *b, double distance, po_prediction *p) {
-  *p = begin(scene, domain, a, b);
+bool po_prediction_make(const po_equilibrium *e, const po_solution *a, const po_solution *b,
+                        double distance, po_prediction *p) {
+  *p = begin(e, a, b);
   return predict(p, distance);
 }
 
@@ -113,7 +114,7 @@ static double difference(po_prediction *p, po_prediction *q) {
   for (size_t j = 0; j < p->a->core; j += STRIDE) {
     const double r = p->a->node[j];
     const double of_p = po_prediction_gap(p, r), of_q = po_prediction_gap(q, r);
-    largest = fmax(largest, fabs(of_p - of_q) / po_law_size(&p->scene->law, of_p));
+    largest = fmax(largest, fabs(of_p - of_q) / po_law_size(&p->of_a.scene->law, of_p));
   }
   return largest;
 }
@@ -126,18 +127,18 @@ static double error_power(const po_prediction *p, double distance) {
   return product * product;
 }
 
-double po_prediction_reach(const po_scene *scene, double domain, const po_solution *a,
-                           const po_solution *b, double distance, double error, po_prediction *p) {
-  po_prediction moving = begin(scene, domain, a, b);
+double po_prediction_reach(const po_equilibrium *e, const po_solution *a, const po_solution *b,
+                           double distance, double error, po_prediction *p) {
+  po_prediction moving = begin(e, a, b);
   double near = distance;
   for (; !move(&moving, near); near *= 0.5) {
-    if (fabs(near) < MEETING_STEP && po_prediction_make(scene, domain, a, b, near, p))
+    if (fabs(near) < MEETING_STEP && po_prediction_make(e, a, b, near, p))
       return near;
     if (fabs(near) < PO_LOCATED)
       return 0.0;
   }
   for (double far = distance; fabs(far) > 1.5 * fabs(near); far *= 0.5) {
-    if (!po_prediction_make(scene, domain, a, b, far, p))
+    if (!po_prediction_make(e, a, b, far, p))
       continue;
     po_prediction still = *p;
     move(&still, near);
@@ -156,9 +157,8 @@ static double kink_gap(const po_prediction *p, double r) {
 }
 
 /* A solution at a radius without that part. */
-static po_solution_value smooth_value(const po_prediction *p, const po_solution *of, double r,
-                                      size_t *panel) {
-  po_solution_value v = po_solution_value_near(of, p->scene, p->domain, r, panel);
+static po_solution_value smooth_value(const po_prediction *p, po_solution_field *of, double r) {
+  po_solution_value v = po_solution_value_at(of, r);
   if (r > p->kink) {
     v.gap -= kink_gap(p, r);
     v.slope -= p->slope_jump;
@@ -177,16 +177,16 @@ double po_prediction_gap(void *prediction, double r) {
   po_prediction *p = prediction;
   const po_moving_edges *edges = &p->edges;
   const po_edge_place origin = origin_of(p, r);
-  const po_solution_value a = smooth_value(p, p->a, origin.r, &p->panel_a);
+  const po_solution_value a = smooth_value(p, &p->of_a, origin.r);
   const double velocity = po_edge_displacement(&origin, edges->rate);
   double gap = a.gap + kink_gap(p, r) + p->w.d0 * (a.tangent + a.slope * velocity);
   if (p->cubic) {
     const double at = origin.r + po_edge_displacement(&origin, p->back);
-    const po_solution_value b = smooth_value(p, p->b, at, &p->panel_b);
+    const po_solution_value b = smooth_value(p, &p->of_b, at);
     const double velocity_b = po_edge_displacement(&origin, p->rate_back);
     gap += p->w.f1 * (b.gap - a.gap) + p->w.d1 * (b.tangent + b.slope * velocity_b) / p->rate_b;
   }
-  return po_law_expected_gap(&p->scene->law, gap);
+  return po_law_expected_gap(&p->of_a.scene->law, gap);
 }
 
 /* The predicted gap at a node that does not move, or the predicted approach. */
@@ -205,15 +205,15 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
     state[j] = po_prediction_gap(p, surface->node[j]);
   for (size_t back = 0; back <= n - moving; ++back) { /* from the approach inwards */
     const double value = component(p, p->a->n - back, p->cubic ? p->b->n - back : 0);
-    state[n - back] = back > 0 ? po_law_expected_gap(&p->scene->law, value) : value;
+    state[n - back] = back > 0 ? po_law_expected_gap(&p->of_a.scene->law, value) : value;
   }
 }
 
 /* Size of the panel of a->wanted at the origin of a radius, both relative to the domain. */
 static double wanted_size(po_prediction *p, double x) {
-  const double origin = origin_of(p, x * p->domain).r / p->domain;
+  const double origin = origin_of(p, x * p->of_a.domain).r / p->of_a.domain;
   const po_panels *wanted = p->a->wanted;
-  p->panel_wanted = po_panels_find_near(wanted, origin, p->panel_wanted);
+  p->panel_wanted = po_panels_find(wanted, origin, p->panel_wanted);
   return po_panel_size(wanted->panel[p->panel_wanted]);
 }
 
@@ -231,7 +231,7 @@ double po_prediction_error(po_prediction *p, const double *guess, const po_solut
   for (size_t j = 0; j < solved->core; ++j) {
     const double expected = guess ? guess[j] : po_prediction_gap(p, solved->node[j]);
     largest = fmax(largest, fabs(solved->state[j] - expected) /
-                                po_law_size(&p->scene->law, solved->state[j]));
+                                po_law_size(&p->of_a.scene->law, solved->state[j]));
   }
   return largest;
 }

@@ -10,12 +10,11 @@
 #include "po_solution.h"
 
 typedef struct {
-  const po_scene *scene;
-  double domain; /* radius of the domain of the panels, eps */
   const po_solution *a, *b;
-  bool paired;             /* a and b have the same contact edges */
-  bool cubic;              /* otherwise the prediction is the tangent at a */
-  double rate_b;           /* d(arclength functional of a)/ds at b */
+  po_solution_field of_a, of_b; /* the same as functions of the radius, on panels */
+  bool paired;                  /* a and b have the same contact edges */
+  bool cubic;                   /* otherwise the prediction is the tangent at a */
+  double rate_b;                /* d(arclength functional of a)/ds at b */
   double kink, slope_jump; /* where the slope of the profile jumps, eps; by how much. INFINITY and
                               0: nowhere */
   po_hermite w;
@@ -23,15 +22,16 @@ typedef struct {
   double shift[PO_MOST_MOVING_EDGES];     /* from these to the predicted edges */
   double back[PO_MOST_MOVING_EDGES];      /* from these to the edges of b */
   double rate_back[PO_MOST_MOVING_EDGES]; /* rates of the edges of b */
-  /* where values were last needed: the contact edge beyond, and panels of a, of b, of a->wanted */
-  size_t edge, panel_a, panel_b, panel_wanted;
+  /* where values were last needed: the contact edge beyond, and the panel of a->wanted */
+  size_t edge, panel_wanted;
 } po_prediction;
 
-/* Predicts at a distance along the arclength functional of a. Given: b, another point ahead or
- * behind, or NULL. All contact edges move the coordinates, except pairs whose strain would be too
- * large. Returned: false if no prediction is possible. */
-bool po_prediction_make(const po_scene *scene, double domain, const po_solution *a,
-                        const po_solution *b, double distance, po_prediction *p);
+/* Predicts at a distance along the arclength functional of a. Given: e, for its scene and the
+ * radius of its domain; b, another point ahead or behind, or NULL. All contact edges move the
+ * coordinates, except pairs whose strain would be too large. Returned: false if no prediction is
+ * possible. */
+bool po_prediction_make(const po_equilibrium *e, const po_solution *a, const po_solution *b,
+                        double distance, po_prediction *p);
 
 /* Predicts at the given distance or a shorter one. Contact edges that are about to meet, or have
  * just formed, move ever faster, so that no step is short enough to move with them. The gap between
@@ -40,8 +40,8 @@ bool po_prediction_make(const po_scene *scene, double domain, const po_solution 
  * one if leaving some edges out changes the prediction by less than `error`, relative to 1 + H,
  * extrapolated from the shorter distance. Returned: the distance; 0 if no prediction is possible.
  */
-double po_prediction_reach(const po_scene *scene, double domain, const po_solution *a,
-                           const po_solution *b, double distance, double error, po_prediction *p);
+double po_prediction_reach(const po_equilibrium *e, const po_solution *a, const po_solution *b,
+                           double distance, double error, po_prediction *p);
 
 /* The predicted gap H at a radius inside the domain, eps; above -1. `prediction` is a
  * po_prediction. */

@@ -41,19 +41,21 @@ static const double SAFETY = 3.0, FLOOR = 10.0;
 static const double OF_OTHER = 0.02;
 
 /* A panel that spans more than TELLING_WAVES wavelengths. */
-static bool spans_waves(void *resolution, po_panel panel) {
-  const po_resolution *r = resolution;
-  return r->domain * po_panel_size(panel) > TELLING_WAVES * po_initial_gap_detail(r->e->scene);
+static bool spans_waves(void *equilibrium, po_panel panel) {
+  const po_equilibrium *e = equilibrium;
+  return e->surface->core_radius * po_panel_size(panel) >
+         TELLING_WAVES * po_initial_gap_detail(e->scene);
 }
 
 /* Halvings of the panel with the kink of the profile. The error of that panel goes as the square of
  * its length, not as a high power, so one halving leaves too much of it. */
 enum { KINK_HALVINGS = 4 };
 
-static bool has_kink(void *resolution, po_panel panel) {
-  const po_resolution *r = resolution;
-  return po_profile_has_kink_between(&r->e->scene->profile, r->domain * po_panel_begin(panel),
-                                     r->domain * po_panel_end(panel));
+static bool has_kink(void *equilibrium, po_panel panel) {
+  const po_equilibrium *e = equilibrium;
+  const double domain = e->surface->core_radius;
+  return po_profile_has_kink_between(&e->scene->profile, domain * po_panel_begin(panel),
+                                     domain * po_panel_end(panel));
 }
 
 /* The panels of p, with those halved whose excess is above a part of the largest. The last panel of
@@ -72,14 +74,12 @@ static bool halve_excess(const po_resolution *r, const po_solution *p, double pa
 
 /* The finer mesh: panels that contribute to the error are halved, and panels of several waves are
  * split, unless that takes too many panels. */
-static bool finer_panels(const po_resolution *r, const po_solution *p, double part,
-                         po_panels *panels) {
-  po_resolution all = *r;
-  if (!halve_excess(r, p, part, panels))
+static bool finer_panels(po_corrector *c, const po_solution *p, double part, po_panels *panels) {
+  if (!halve_excess(&c->resolution, p, part, panels))
     return false;
-  if (!po_panels_refine(panels, INT_MAX, spans_waves, &all))
-    halve_excess(r, p, part, panels);
-  po_panels_refine(panels, KINK_HALVINGS, has_kink, &all);
+  if (!po_panels_refine(panels, INT_MAX, spans_waves, c->e))
+    halve_excess(&c->resolution, p, part, panels);
+  po_panels_refine(panels, KINK_HALVINGS, has_kink, c->e);
   return true;
 }
 
@@ -195,9 +195,8 @@ static po_status solve_on(po_corrector *c, const po_panels *panels, const po_ref
 
 /* Solves for the special point on the finer mesh for the estimate, to the precision of rounding. If
  * that mesh takes too many panels, fewer of them are halved. Returned: also the errors, in r. */
-static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
-                             const po_refinement *how, po_refined *r, po_solution *finer,
-                             double value[2]) {
+static po_status solve_finer(po_corrector *c, const po_refinement *how, po_refined *r,
+                             po_solution *finer, double value[2]) {
   const double precision = c->e->precision;
   po_status status = PO_OUT_OF_NODES;
   c->e->precision = PO_FINEST_PRECISION;
@@ -205,7 +204,7 @@ static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
        part *= COARSER) {
     po_panels *const panels = &c->adaptive->draft;
     c->trouble = PO_OK;
-    status = finer_panels(resolution, r->point, part, panels)
+    status = finer_panels(c, r->point, part, panels)
                  ? solve_on(c, panels, how, r->point, finer, value)
                  : po_fail(PO_OUT_OF_NODES, "a finer mesh needs more panels than are possible");
     if (c->trouble)
@@ -223,30 +222,27 @@ static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
 }
 
 /* The errors, by one finer mesh; and by a second one if the first does not suffice. */
-static po_status estimate(po_corrector *c, const po_resolution *resolution,
-                          const po_refinement *how, po_refined *r) {
+static po_status estimate(po_corrector *c, const po_refinement *how, po_refined *r) {
   place_at_root(how, r);
   po_refined finer = *r;
-  po_status status = solve_finer(c, resolution, how, r, how->spare[0], finer.value);
+  po_status status = solve_finer(c, how, r, how->spare[0], finer.value);
   finer.point = how->spare[0];
   if (status || r->error[1] <= how->enough)
     return status;
   double value[2];
-  if (!solve_finer(c, resolution, how, &finer, how->spare[1], value) &&
-      finer.error[1] < r->error[1])
+  if (!solve_finer(c, how, &finer, how->spare[1], value) && finer.error[1] < r->error[1])
     *r = finer;
   return PO_OK;
 }
 
 /* The orientation is not required: compressed factors of a stiff scene may have the wrong sign, and
  * a solution on another strand of the branch would show as a large change. */
-po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
-                    po_refined *r) {
+po_status po_refine(po_corrector *c, const po_refinement *how, po_refined *r) {
   po_panels *const before = how->spare[0]->wanted;
   po_panels_copy(&c->adaptive->panels, before);
   const int direction = c->direction;
   c->direction = 0;
-  const po_status status = estimate(c, resolution, how, r);
+  const po_status status = estimate(c, how, r);
   const po_status trouble = c->trouble;
   c->direction = direction;
   po_corrector_mesh(c, before);

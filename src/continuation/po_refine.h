@@ -4,7 +4,6 @@
 #define PO_REFINE_H
 
 #include "po_corrector.h"
-#include "po_resolution.h"
 #include "po_special_point.h"
 
 /* Estimated bound of the error of a value. Given: precision of Newton's method (po_equilibrium.h);
@@ -31,11 +30,10 @@ typedef struct {
 /* Estimates the error of a fold or an extremum of the load. The special point is solved again on a
  * finer mesh, on which every panel that contributes to the error is halved and panels that span
  * several waves are split. If the error of the load exceeds how->enough, the finer solution
- * replaces the special point and is compared with one on a still finer mesh. Given: resolution,
- * that of the mesh of the special point; r->point, and its approach and load in r->value. Returned:
+ * replaces the special point and is compared with one on a still finer mesh. Given:
+ * r->point, and its approach and load in r->value. Returned:
  * r. The current mesh stays, without its factors. Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
-po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
-                    po_refined *r);
+po_status po_refine(po_corrector *c, const po_refinement *how, po_refined *r);
 
 /* Locates the fold or extremum near the guess on the current mesh: Newton's method for the
  * equilibrium, and the secant method along the arclength functional of `from` for the root of the

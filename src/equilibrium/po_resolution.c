@@ -110,8 +110,9 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
 
 double po_resolution_excess_of(const po_resolution *r, const po_panels *panels, const double *gap,
                                size_t panel) {
-  return excess_of(r, r->domain * po_panel_begin(panels->panel[panel]),
-                   r->domain * po_panel_end(panels->panel[panel]), gap + panel * PO_TABLE_ORDER);
+  const double domain = r->e->surface->core_radius;
+  return excess_of(r, domain * po_panel_begin(panels->panel[panel]),
+                   domain * po_panel_end(panels->panel[panel]), gap + panel * PO_TABLE_ORDER);
 }
 
 double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap) {
@@ -129,7 +130,8 @@ typedef struct {
 static double excess_of_panel(const resolved_field *f, po_panel panel) {
   const po_resolution *r = f->r;
   const double *node = po_panel_table_get()->rule.node;
-  const double begin = r->domain * po_panel_begin(panel), end = r->domain * po_panel_end(panel);
+  const double domain = r->e->surface->core_radius;
+  const double begin = domain * po_panel_begin(panel), end = domain * po_panel_end(panel);
   double gap[PO_TABLE_ORDER];
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
     gap[i] = f->field->gap_at(f->field->data, begin + (end - begin) * node[i]);
@@ -151,17 +153,6 @@ static void join_what_can_be(const resolved_field *f, po_panels *panels) {
     join[k] = join[k + 1] = excess_of_panel(f, parent) < PARENT_MARGIN;
   }
   po_panels_join(panels);
-}
-
-/* A mesh is made for this part of the allowed errors and kept until the allowed errors are
- * exceeded, so that the contact edges can move a little on it. */
-static const double MESH_MARGIN = 0.2;
-
-po_resolution po_resolution_for_mesh(const po_resolution *r) {
-  po_resolution margin = *r;
-  margin.allowed.gap *= MESH_MARGIN;
-  margin.allowed.load *= MESH_MARGIN;
-  return margin;
 }
 
 po_status po_resolution_fail(const po_panels *panels) {

@@ -20,7 +20,6 @@ typedef struct {
 
 typedef struct {
   const po_equilibrium *e;
-  double domain; /* eps */
   po_allowance allowed;
 } po_resolution;
 
@@ -31,9 +30,6 @@ double po_resolution_excess_of(const po_resolution *r, const po_panels *panels, 
 
 /* The largest excess of all panels. */
 double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap);
-
-/* The same with smaller allowed errors, as used to make a mesh. */
-po_resolution po_resolution_for_mesh(const po_resolution *r);
 
 /* Largest number of meshes tried for one point. Each resolves the solution on the mesh before. */
 enum { PO_MOST_MESHES_A_POINT = 4 };

@@ -158,14 +158,12 @@ static double interpolate(const barycentric *at, const double *value) {
   return sum_of(sum) / at->sum;
 }
 
-/* Finds the panel of a radius. Given and returned: panel, one to begin with. Returned: *first, the
- * first node of the panel. */
-static barycentric find_place(const po_solution *p, double domain, double r, size_t *panel,
-                              size_t *first) {
-  const double x = r / domain;
-  *panel = po_panels_find_near(p->panels, x, *panel);
-  *first = *panel * PO_TABLE_ORDER;
-  return barycentric_at(po_panel_place(p->panels->panel[*panel], x));
+/* Finds the panel of a radius. Returned: *first, the first node of the panel. */
+static barycentric find_place(po_solution_field *f, double r, size_t *first) {
+  const double x = r / f->domain;
+  f->panel = po_panels_find(f->p->panels, x, f->panel);
+  *first = f->panel * PO_TABLE_ORDER;
+  return barycentric_at(po_panel_place(f->p->panels->panel[f->panel], x));
 }
 
 static void initial_gap_and_slope(const po_scene *scene, double r, double *gap, double *slope) {
@@ -179,28 +177,21 @@ static void initial_gap_and_slope(const po_scene *scene, double r, double *gap, 
   }
 }
 
-po_solution_value po_solution_value_near(const po_solution *p, const po_scene *scene, double domain,
-                                         double r, size_t *panel) {
+po_solution_value po_solution_value_at(po_solution_field *f, double r) {
   size_t first;
-  const barycentric at = find_place(p, domain, r, panel, &first);
-  po_solution_value v = {0.0, 0.0, interpolate(&at, p->tangent + first)};
-  initial_gap_and_slope(scene, r, &v.gap, &v.slope);
-  v.gap += interpolate(&at, p->deflection + first);
-  v.slope += interpolate(&at, p->slope + first);
+  const barycentric at = find_place(f, r, &first);
+  po_solution_value v = {0.0, 0.0, interpolate(&at, f->p->tangent + first)};
+  initial_gap_and_slope(f->scene, r, &v.gap, &v.slope);
+  v.gap += interpolate(&at, f->p->deflection + first);
+  v.slope += interpolate(&at, f->p->slope + first);
   return v;
 }
 
-double po_solution_gap_near(const po_solution *p, const po_scene *scene, double domain, double r,
-                            size_t *panel) {
+double po_solution_gap(void *data, double r) {
+  po_solution_field *f = data;
   size_t first;
-  const barycentric at = find_place(p, domain, r, panel, &first);
-  return po_initial_gap(scene, r) + interpolate(&at, p->deflection + first);
-}
-
-po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
-                                       double r) {
-  size_t panel = po_panels_find(p->panels, r / domain);
-  return po_solution_value_near(p, scene, domain, r, &panel);
+  const barycentric at = find_place(f, r, &first);
+  return po_initial_gap(f->scene, r) + interpolate(&at, f->p->deflection + first);
 }
 
 /* The gap less that of the greatest tension, at a radius on the panel. */
@@ -286,9 +277,9 @@ void po_solution_take_tangent(po_solution *p, const po_equilibrium *e) {
   p->load_rate = 0.0; /* follows from the scaled tangent */
   po_solution_scale_tangent(p);
   p->load_rate = po_equilibrium_load_rate(e, p->tangent);
+  po_solution_field field = {p, e->scene, e->surface->core_radius, 0};
   for (size_t k = 0; k < p->edges.count; ++k) {
-    const po_solution_value v =
-        po_solution_value_at(p, e->scene, e->surface->core_radius, p->edges.at[k]);
+    const po_solution_value v = po_solution_value_at(&field, p->edges.at[k]);
     p->edges.rate[k] = -v.tangent / v.slope;
   }
 }
@@ -296,11 +287,6 @@ void po_solution_take_tangent(po_solution *p, const po_equilibrium *e) {
 void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
   po_solution_take_state(p, e, adaptive);
   po_solution_take_tangent(p, e);
-}
-
-double po_solution_gap(void *data, double r) {
-  po_solution_field *f = data;
-  return po_solution_gap_near(f->p, f->scene, f->domain, r, &f->panel);
 }
 
 /* The component of a vector of coordinates where approach and load have their whole weight. */

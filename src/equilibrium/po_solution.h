@@ -72,27 +72,18 @@ double po_solution_length(const po_solution *solution);
  * at both. The coordinates of both have the same share. */
 double po_solution_way(const po_solution *from, const po_solution *to);
 
-/* Values of a solution on panels at a radius inside the domain. Given: r and domain, eps. */
-po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
-                                       double r);
-
-/* The same. Given and returned: the panel of the last radius, which is likely to be near. */
-po_solution_value po_solution_value_near(const po_solution *p, const po_scene *scene, double domain,
-                                         double r, size_t *panel);
-
-/* The gap alone. */
-double po_solution_gap_near(const po_solution *p, const po_scene *scene, double domain, double r,
-                            size_t *panel);
-
-/* The gap of a solution as a function of the radius, for po_gap_field: `data` is a
- * po_solution_field. */
+/* A solution on panels as a function of the radius. */
 typedef struct {
   const po_solution *p;
   const po_scene *scene;
-  double domain;
-  size_t panel; /* of the last radius */
+  double domain; /* its radius, eps */
+  size_t panel;  /* of the last radius, which is likely to be near */
 } po_solution_field;
 
+/* Values of a solution at a radius inside the domain, eps. */
+po_solution_value po_solution_value_at(po_solution_field *field, double r);
+
+/* The gap alone, as po_gap_field needs it: `data` is a po_solution_field. */
 double po_solution_gap(void *data, double r);
 
 #endif

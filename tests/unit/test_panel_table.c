@@ -13,7 +13,7 @@
 static void refine_towards(po_panels *panels, double x, uint32_t level) {
   po_panels_uniform(panels, 1);
   for (;;) {
-    const size_t at = po_panels_find(panels, x);
+    const size_t at = po_panels_find(panels, x, 0);
     if (panels->panel[at].level >= level)
       return;
     for (size_t k = 0; k < panels->count; ++k)

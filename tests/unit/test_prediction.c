@@ -54,7 +54,8 @@ static double trace(steps *s) {
  * contact edges, and the trace has several such places. */
 START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
   static steps s; /* too large for the stack */
-  const double domain = trace(&s);
+  const po_surface surface = {.core_radius = trace(&s)};
+  const po_equilibrium e = {.scene = &SCENE, .surface = &surface};
   size_t left = 0;
   for (size_t k = 1; k + 2 < s.count; ++k) {
     const po_solution *b = &s.point[k - 1], *a = &s.point[k], *to = &s.point[k + 2];
@@ -62,7 +63,7 @@ START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
     if (!(way > 0.0))
       continue;
     po_prediction p;
-    const double reach = po_prediction_reach(&SCENE, domain, a, b, way, ERROR, &p);
+    const double reach = po_prediction_reach(&e, a, b, way, ERROR, &p);
     ck_assert_double_gt(reach, 0.0);
     ck_assert_double_le(reach, way);
     ck_assert_double_lt(po_edge_strain(&p.edges, p.shift), 0.5);
