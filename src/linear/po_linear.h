@@ -29,7 +29,7 @@ po_status po_linear_reserve(int threads);
 const char *po_linear_library(void);
 
 /* LU factorisation in place with partial pivoting, in double or single precision (see
- * po_factors.h). Given: a, n x n with leading dimension `stride`. Returned: the factors in a;
+ * po_equilibrium.h). Given: a, n x n with leading dimension `stride`. Returned: the factors in a;
  * pivots, n, from 1 as LAPACK's. Of equal moduli the first is the pivot. Error: as dgetrf, whose
  * factors differ by rounding. Status: PO_SINGULAR if a pivot is exactly zero; those of
  * po_watch_look, with which the factors are unfinished. */
