@@ -12,10 +12,6 @@
  * finest meshes of (3, 1, 20) take four a wave. */
 static const double ROOM = 4096.0, ROOM_A_WAVE = 8.0;
 
-static size_t nodes_of(const po_adaptive *a, const po_panels *panels) {
-  return (panels->count + (a->unbounded ? 1 : 0)) * PO_TABLE_ORDER;
-}
-
 static size_t room_of(const po_scene *scene, double domain) {
   double room = ROOM;
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
@@ -29,11 +25,8 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   *adaptive = a;
   if (!a)
     return PO_NO_MEMORY;
-  a->table = po_panel_table_get();
-  a->domain = domain;
-  a->unbounded = isinf(scene->outer_radius);
+  const po_panel_table *table = po_panel_table_get();
   a->wavy = po_scene_is_wavy(scene);
-  a->decay = po_panel_decay(scene);
   a->most = room_of(scene, domain);
   a->capacity = (a->most + 1) * PO_TABLE_ORDER;
   po_surface *s = &a->surface;
@@ -44,8 +37,9 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   s->reach = po_reserve(a->capacity, sizeof *s->reach);
   po_panels_uniform(&a->draft, level);
   po_status status = PO_NO_MEMORY;
-  if (a->table && s->node && s->weight && s->length && s->reach)
-    status = po_hierarchy_create(a->table, a->unbounded, a->decay, &s->hierarchy);
+  if (table && s->node && s->weight && s->length && s->reach)
+    status = po_hierarchy_create(table, isinf(scene->outer_radius), po_panel_decay(scene),
+                                 &s->hierarchy);
   if (!status)
     status = po_adaptive_mesh(a, &a->draft);
   if (status) {
@@ -68,22 +62,23 @@ void po_adaptive_destroy(po_adaptive *a) {
 
 /* Returned: whether `node` are the nodes of a panel to rounding. */
 static bool has_nodes(const po_adaptive *a, po_panel panel, const double *node) {
-  const double begin = a->domain * po_panel_begin(panel), size = a->domain * po_panel_size(panel);
+  const double domain = a->surface.core_radius;
+  const double begin = domain * po_panel_begin(panel), size = domain * po_panel_size(panel);
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    if (!(fabs(begin + size * a->table->rule.node[j] - node[j]) <
-          1e-9 * size + 4.0 * DBL_EPSILON * a->domain))
+    if (!(fabs(begin + size * po_panel_table_get()->rule.node[j] - node[j]) <
+          1e-9 * size + 4.0 * DBL_EPSILON * domain))
       return false;
   return true;
 }
 
 po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *node,
                                 po_panels *panels) {
-  const double *x = a->table->rule.node;
+  const double *x = po_panel_table_get()->rule.node, domain = a->surface.core_radius;
   panels->count = 0;
   for (size_t j = 0; j + PO_TABLE_ORDER <= n && panels->count < a->most; j += PO_TABLE_ORDER) {
     const double size = (node[j + PO_TABLE_ORDER - 1] - node[j]) / (x[PO_TABLE_ORDER - 1] - x[0]);
-    const uint32_t level = (uint32_t)lround(po_log(a->domain / size) / M_LN2);
-    const double begin = ldexp(node[j] / a->domain, (int)level) - x[0];
+    const uint32_t level = (uint32_t)lround(po_log(domain / size) / M_LN2);
+    const double begin = ldexp(node[j] / domain, (int)level) - x[0];
     const po_panel panel = {level, (uint64_t)llround(begin)};
     if (!has_nodes(a, panel, node + j))
       break;
@@ -94,20 +89,22 @@ po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *no
              : po_fail(PO_BAD_INPUT, "the radii are not the nodes of panels");
 }
 
-static po_panel_span panel_of(const po_adaptive *a, const po_panels *panels, size_t k) {
-  if (k == panels->count)
-    return (po_panel_span){a->domain, INFINITY, a->decay};
-  return (po_panel_span){.begin = a->domain * po_panel_begin(panels->panel[k]),
-                         .end = a->domain * po_panel_end(panels->panel[k])};
+static po_panel_span span_of(const po_surface *s, size_t k) {
+  const po_hierarchy *h = s->hierarchy;
+  const double domain = s->core_radius;
+  if (k == h->panels.count)
+    return (po_panel_span){domain, INFINITY, h->decay};
+  return (po_panel_span){.begin = domain * po_panel_begin(h->panels.panel[k]),
+                         .end = domain * po_panel_end(h->panels.panel[k])};
 }
 
 static void place_nodes(po_adaptive *a) {
   po_surface *s = &a->surface;
-  s->n = nodes_of(a, &a->panels);
-  s->resolved = a->unbounded && a->wavy ? s->n - PO_TABLE_ORDER : s->n;
-  for (size_t k = 0; k < s->n / PO_TABLE_ORDER; ++k)
-    po_panel_nodes(&a->table->rule, panel_of(a, &a->panels, k), s->node + k * PO_TABLE_ORDER,
-                   s->weight + k * PO_TABLE_ORDER, s->length + k * PO_TABLE_ORDER);
+  s->n = po_hierarchy_nodes(s->hierarchy);
+  s->resolved = s->hierarchy->unbounded && a->wavy ? s->n - PO_TABLE_ORDER : s->n;
+  for (size_t j = 0; j < s->n; j += PO_TABLE_ORDER)
+    po_panel_nodes(&s->hierarchy->table->rule, span_of(s, j / PO_TABLE_ORDER), s->node + j,
+                   s->weight + j, s->length + j);
 }
 
 /* The largest coefficients, in eps. */
@@ -121,11 +118,10 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
   if (panels->count > a->most)
     return po_fail(PO_OUT_OF_NODES, "the traction needs %zu panels, more than %zu", panels->count,
                    a->most);
-  po_panels_copy(panels, &a->panels);
-  place_nodes(a);
   const po_status status = po_hierarchy_mesh(a->surface.hierarchy, panels);
   if (status)
     return status;
+  place_nodes(a);
   fill_reach(&a->surface);
   a->surface.kernel_evaluations = a->surface.hierarchy->evaluations;
   return PO_OK;
@@ -133,9 +129,9 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
 
 /* Nodes and influence coefficients scale with the domain, weights with its square. */
 void po_adaptive_resize(po_adaptive *a, double domain) {
-  if (domain == a->domain)
+  if (domain == a->surface.core_radius)
     return;
-  a->domain = a->surface.core_radius = domain;
+  a->surface.core_radius = domain;
   place_nodes(a);
   fill_reach(&a->surface);
 }

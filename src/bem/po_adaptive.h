@@ -8,16 +8,18 @@
 #include "po_surface.h"
 
 /* Other files read it, and change the draft only. The surface is on the current mesh: it stays the
- * same object, and its content changes with the mesh. */
+ * same object, and its content changes with the mesh. Its core is the domain of the panels. */
 typedef struct {
-  const po_panel_table *table;
-  double domain, decay; /* domain: eps; decay: of the traction beyond */
-  bool unbounded, wavy;
+  bool wavy;
   size_t most, capacity; /* panels, and nodes, for which the surface has room */
-  po_panels panels;      /* of the current mesh, without the one to infinity */
   po_panels draft;       /* a mesh for the caller to make and to give to po_adaptive_mesh */
   po_surface surface;
 } po_adaptive;
+
+/* The panels of the current mesh, without the one to infinity. */
+static inline const po_panels *po_adaptive_panels(const po_adaptive *adaptive) {
+  return &adaptive->surface.hierarchy->panels;
+}
 
 /* Creates a surface with 2^level equal panels on [0, domain]. If the scene is unbounded, one more
  * panel reaches from there to infinity and carries the law averaged over the waviness; `domain`

@@ -127,7 +127,7 @@ static po_status mesh_undeformed(po_continuation *t, double approach) {
   undeformed u = {t->c.e->scene, approach};
   const po_gap_field field = {undeformed_gap, &u};
   po_panels *const panels = &t->c.adaptive->draft;
-  po_panels_copy(&t->c.adaptive->panels, panels);
+  po_panels_copy(po_adaptive_panels(t->c.adaptive), panels);
   const po_status status = po_resolution_panels(&t->c.resolution, &field, panels);
   return status ? status : po_corrector_mesh(&t->c, panels);
 }

@@ -12,7 +12,7 @@ static bool too_large(void *prediction, po_panel panel) {
 }
 
 static bool mesh_serves(const po_continuation *t, po_prediction *p) {
-  const po_panels *panels = &t->c.adaptive->panels;
+  const po_panels *panels = po_adaptive_panels(t->c.adaptive);
   for (size_t k = 0; k < panels->count; ++k)
     if (po_prediction_too_large(p, panels->panel[k], 2.0))
       return false;

@@ -36,7 +36,7 @@ void po_corrector_free(po_corrector *c) {
 }
 
 po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
-  if (po_panels_equal(panels, &c->adaptive->panels))
+  if (po_panels_equal(panels, po_adaptive_panels(c->adaptive)))
     return PO_OK;
   c->trouble = po_adaptive_mesh(c->adaptive, panels);
   if (c->trouble)
@@ -60,7 +60,7 @@ po_status po_corrector_adapt(po_corrector *c, const po_gap_field *field, po_pane
 po_status po_corrector_want_mesh(po_corrector *c, po_solution *p) {
   if (!c->adaptive)
     return PO_OK;
-  po_solution_field solved = {p, c->e->scene, c->adaptive->domain, 0};
+  po_solution_field solved = {p, c->e->scene, c->adaptive->surface.core_radius, 0};
   po_panels_copy(p->panels, p->wanted);
   return po_corrector_adapt(c, &(po_gap_field){po_solution_gap, &solved}, p->wanted);
 }
@@ -81,7 +81,7 @@ po_status po_corrector_follow_solved(po_corrector *c, po_solution *p, po_solutio
 }
 
 size_t po_corrector_moving_nodes(const po_corrector *c) {
-  return c->adaptive ? c->adaptive->panels.count * PO_TABLE_ORDER : 0;
+  return c->adaptive ? po_adaptive_panels(c->adaptive)->count * PO_TABLE_ORDER : 0;
 }
 
 void po_corrector_guess(po_corrector *c, const po_solution *p) {

@@ -242,7 +242,7 @@ static void accept(po_follower *f, double at) {
   mark *next = next_mark(f);
   next->at = at;
   next->scene = f->scene;
-  next->domain = f->adaptive->domain;
+  next->domain = f->adaptive->surface.core_radius;
   f->latest = (f->latest + 1) % (MARKS + 1);
   f->count += f->count < MARKS;
 }
@@ -382,7 +382,7 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
 }
 
 double po_follow_domain(const po_follower *f) {
-  return f->adaptive->domain;
+  return f->adaptive->surface.core_radius;
 }
 
 po_work po_follow_work(const po_follower *f) {

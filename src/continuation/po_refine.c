@@ -239,7 +239,7 @@ static po_status estimate(po_corrector *c, const po_refinement *how, po_refined 
  * a solution on another strand of the branch would show as a large change. */
 po_status po_refine(po_corrector *c, const po_refinement *how, po_refined *r) {
   po_panels *const before = how->spare[0]->wanted;
-  po_panels_copy(&c->adaptive->panels, before);
+  po_panels_copy(po_adaptive_panels(c->adaptive), before);
   const int direction = c->direction;
   c->direction = 0;
   const po_status status = estimate(c, how, r);

@@ -252,7 +252,7 @@ static void fill_slope(po_solution *p, double domain) {
 void po_solution_take_state(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
   p->panels->count = 0;
   if (adaptive)
-    po_panels_copy(&adaptive->panels, p->panels);
+    po_panels_copy(po_adaptive_panels(adaptive), p->panels);
   p->n = e->n;
   p->core = po_equilibrium_core(e);
   p->arclength = adaptive ? PO_ARCLENGTH_GLOBAL : PO_ARCLENGTH_NODAL;

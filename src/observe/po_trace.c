@@ -137,8 +137,10 @@ static po_status make_surface(const po_request *request, bool rigid, double core
   const po_scene *scene = &request->scene;
   if (rigid || request->mesh.scheme != PO_PANEL) {
     po_mesh mesh = request->mesh;
-    if (mesh.scheme == PO_PANEL)
-      mesh = po_mesh_fixed();
+    if (mesh.scheme == PO_PANEL) {
+      mesh = po_mesh_default();
+      mesh.scheme = PO_TRIANGLE;
+    }
     return po_surface_create(scene, &mesh, core, !rigid, fixed);
   }
   const double domain = po_observe_domain(scene, core);

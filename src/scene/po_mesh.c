@@ -17,10 +17,6 @@ po_mesh po_mesh_default(void) {
   return (po_mesh){.scheme = PO_PANEL, .grading = PO_UNIFORM, .nodes = 501, .tolerance = 1e-6};
 }
 
-po_mesh po_mesh_fixed(void) {
-  return (po_mesh){.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 501, .tolerance = 1e-6};
-}
-
 po_status po_mesh_check(const po_mesh *mesh) {
   if ((int)mesh->scheme < 0 || mesh->scheme > PO_PANEL)
     return po_fail(PO_BAD_INPUT, "scheme is %d: expected ring, triangle or panel",

@@ -42,7 +42,7 @@ static double trace(steps *s) {
       po_continuation_create(e, panels, po_observe_allowance(TOLERANCE), &options, &continuation),
       PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
-  const double met = panels->domain;
+  const double met = panels->surface.core_radius;
   po_continuation_destroy(continuation);
   po_equilibrium_destroy(e);
   po_adaptive_destroy(panels);
