@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "po_near_rule.h"
+#include "po_quadrature.h"
 #include "po_scene.h"
 #include "po_status.h"
 

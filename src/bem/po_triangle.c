@@ -3,7 +3,7 @@
 #include "po_element.h"
 #include "po_kernel.h"
 #include "po_memory.h"
-#include "po_near_rule.h"
+#include "po_quadrature.h"
 
 /* FAR_POINTS: points of the Gauss rule on an element whose distance from the radius is at least
  * FAR_DISTANCE of its lengths; the parameter of the Bernstein ellipse is then above 80, the error

@@ -1,4 +1,5 @@
-/* Quadrature rules on the unit interval. */
+/* Quadrature rules on the unit interval; among them one for an element if the logarithmic
+ * singularity of the kernel lies on the element or close to it. */
 #ifndef PO_QUADRATURE_H
 #define PO_QUADRATURE_H
 
@@ -26,5 +27,45 @@ void po_log_rule(double node[PO_LOG_RULE_POINTS], double weight[PO_LOG_RULE_POIN
  * the weights, n; po_lagrange returns value[j] = l_j(x), n. */
 void po_barycentric_weights(size_t n, const double *node, double *barycentric);
 void po_lagrange(size_t n, const double *node, const double *barycentric, double x, double *value);
+
+enum { PO_NEAR_GAUSS_POINTS = 16, PO_NEAR_PIECE_POINTS = PO_LOG_RULE_POINTS };
+
+/* The rules of the pieces of a po_near_rule; filled once by po_near_tables_fill. */
+typedef struct {
+  double gauss_node[PO_NEAR_GAUSS_POINTS], gauss_weight[PO_NEAR_GAUSS_POINTS];
+  double log_node[PO_LOG_RULE_POINTS], log_weight[PO_LOG_RULE_POINTS];
+} po_near_tables;
+
+po_status po_near_tables_fill(po_near_tables *tables);
+
+/* A quadrature point: x in (0, 1), and its distance from the singularity, stored separately so that
+ * the argument of the kernel does not cancel. */
+typedef struct {
+  double x;      /* position of the point */
+  double offset; /* x - x0, to full relative precision */
+  double weight;
+} po_near_point;
+
+/* A quadrature rule over x in (0, 1) for integrands that are a polynomial of degree up to 20 times
+ * a function with a logarithmic singularity at x0, inside the interval, at an end or outside. The
+ * rule is composed of pieces whose length grows geometrically away from x0; the piece at x0 uses
+ * the rule for logarithms, the others a Gauss rule. Pieces double in length from the rounding unit
+ * to 1, so that there are at most 110. */
+typedef struct {
+  const po_near_tables *tables;
+  double x0, mirror;
+  double sign, near, to; /* the side of x0, and the distances from x0 that are left on it */
+} po_near_rule;
+
+/* Given: x0; mirror > 0, a lower bound of the distance from x0 to the other singularity of the
+ * kernel (at s = -r). Accuracy: 1e-14 relative (tests/unit/test_quadrature.c). */
+po_near_rule po_near_rule_begin(const po_near_tables *tables, double x0, double mirror);
+
+/* Fills the points of the next piece. Returned: their number; 0 if there is none. */
+size_t po_near_rule_next(po_near_rule *rule, po_near_point point[PO_NEAR_PIECE_POINTS]);
+
+/* Returned: whether a Gauss rule of n points over (0, 1) is exact to rounding if the singularity is
+ * at x0. */
+int po_near_is_far(double x0, size_t n);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "po_hermite.h"
 #include "po_integral.h"
-#include "po_near_rule.h"
+#include "po_quadrature.h"
 #include "run.h"
 
 START_TEST(gauss_rule_is_exact_for_polynomials) {
