@@ -194,11 +194,10 @@ static po_status refuse_suite(const po_catalog *all, const char *name, size_t le
 static po_status check_suites(const po_catalog *all, const char *names) {
   for (const char *at = names; at && *at;) {
     const size_t length = strcspn(at, ",");
-    bool found = false;
-    for (size_t i = 0; i < all->count && !found; ++i)
-      for (unsigned k = 0; k < all->cases[i]->file->suite_names_count && !found; ++k)
-        found = has_name(all->cases[i]->file->suite_names[k], at, length);
-    if (!found)
+    const char *suite = next_suite(all, "");
+    while (suite && !has_name(suite, at, length))
+      suite = next_suite(all, suite);
+    if (!suite)
       return refuse_suite(all, at, length);
     at += length + (at[length] == ',');
   }

@@ -62,17 +62,14 @@ po_request po_check_request(const po_check *check, const po_request *request) {
 }
 
 po_reference_type po_reference_type_of(const char *reference) {
-  static const struct {
-    const char *word;
-    po_reference_type type;
-  } WORDS[] = {{"bradley", PO_REFERENCE_BRADLEY},
-               {"pin", PO_REFERENCE_PINS},
-               {"zero", PO_REFERENCE_ZERO},
-               {"every_scene", PO_REFERENCE_EVERY_SCENE},
-               {"traced", PO_REFERENCE_TRACED}};
-  for (size_t i = 0; i < sizeof WORDS / sizeof *WORDS; ++i)
-    if (strcmp(reference, WORDS[i].word) == 0)
-      return WORDS[i].type;
+  static const char *const WORDS[] = {[PO_REFERENCE_BRADLEY] = "bradley",
+                                      [PO_REFERENCE_PINS] = "pin",
+                                      [PO_REFERENCE_ZERO] = "zero",
+                                      [PO_REFERENCE_EVERY_SCENE] = "every_scene",
+                                      [PO_REFERENCE_TRACED] = "traced"};
+  for (int type = PO_REFERENCE_BRADLEY; type <= PO_REFERENCE_TRACED; ++type)
+    if (strcmp(reference, WORDS[type]) == 0)
+      return (po_reference_type)type;
   return PO_REFERENCE_TABLE;
 }
 

@@ -29,6 +29,7 @@ typedef struct {
 /* Least time between separate lines in seconds, so that a log does not become long. */
 static const double PLAIN_INTERVAL = 2;
 
+/* Erases the updated line. */
 static void clear_line(po_progress *progress) {
   if (progress->width)
     fprintf(stderr, "\r%*s\r", (int)progress->width, "");
@@ -89,11 +90,6 @@ static void progress_say(po_progress *progress, const char *format, ...) {
   va_end(arguments);
   fputc('\n', stderr);
   progress->last = po_clock_wall();
-}
-
-/* Erases the updated line. */
-static void progress_end(po_progress *progress) {
-  clear_line(progress);
 }
 
 /* The data that the threads of a run share. */
@@ -286,7 +282,7 @@ static po_status work_through(po_crew *crew, size_t count) {
   for (size_t i = shared; i < total; ++i)
     if (!must_end(crew))
       do_job(crew, &jobs[i]);
-  progress_end(&crew->progress);
+  clear_line(&crew->progress);
   free(jobs);
   if (crew->broken)
     return po_fail(crew->status, "%s", crew->message);
