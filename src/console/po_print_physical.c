@@ -53,39 +53,10 @@ json_t *po_json_physical_input(const po_given *given, const po_units *units) {
   return PO_JSON_OBJECT({"input", input}, {"units", po_json_units(units)});
 }
 
-/* The members in SI units. */
-static const char *const SPECIAL[] = {
-    "approach", "load", "contact_radius", "kind", "error_estimate", "load_error_estimate", NULL};
-static const char *const CURVE[] = {"approach", "load", "contact_radius", NULL};
-static const char *const PROFILE[] = {"radius", "gap", "traction", NULL};
-static const char *const UNCERTAIN[] = {"source", "value", "deviation", "below",
-                                        "above",  "force", NULL};
-static const char *const THEORY[] = {"theory", "force", NULL};
-
-json_t *po_json_physical(const po_given *given, const po_request *request, const po_result *o) {
-  const po_units *u = &request->units;
-  json_t *object = po_json_physical_input(given, u);
-  po_json_set(&object, "pull_off", po_json_units_pull_off(u, o));
-  if (o->uncertain_count)
-    po_json_set(&object, "uncertainty",
-                PO_JSON_OBJECT({"force_n", po_json_number(o->uncertainty * u->force)},
-                               {"sources", po_json_si_list(&PO_UNCERTAIN_ROWS, o->uncertain,
-                                                           o->uncertain_count, u, UNCERTAIN)}));
-  po_json_set(&object, "folds",
-              po_json_si_list(&PO_SPECIAL_POINT_ROWS, o->folds, o->fold_count, u, SPECIAL));
-  po_json_set(&object, "extrema",
-              po_json_si_list(&PO_SPECIAL_POINT_ROWS, o->extrema, o->extremum_count, u, SPECIAL));
-  if (request->want & PO_WANT_CURVE)
-    po_json_set(&object, "curve",
-                po_json_si_list(&PO_CURVE_ROWS, o->curve, o->curve_count, u, CURVE));
-  if (request->want & PO_WANT_PROFILE) {
-    po_json_set(&object, "profile_approach_m", po_json_number(o->profile_approach * u->length));
-    po_json_set(&object, "profile",
-                po_json_si_list(&PO_PROFILE_ROWS, o->profile, o->profile_count, u, PROFILE));
-  }
-  if (request->want & PO_WANT_THEORIES)
-    po_json_set(&object, "theories",
-                po_json_si_list(&PO_THEORIES_ROWS, o->theories, o->theory_count, u, THEORY));
+json_t *po_json_physical(const po_given *given, const po_request *request,
+                         const po_result *result) {
+  json_t *object = po_json_physical_input(given, &request->units);
+  po_json_set_all(&object, po_json_document_in_si(request, result));
   return object;
 }
 

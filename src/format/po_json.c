@@ -16,10 +16,11 @@
 
 /* -- Structures by their rows (po_rows.h) -- */
 
-/* The list of which a structure is an item. */
+/* The list of which a structure is an item, and the units of its numbers; NULL: as they are. */
 typedef struct {
   const void *owner;
   size_t index;
+  const po_units *units;
 } place;
 
 static void add_rows(json_t **object, const po_block *block, const void *owner, place of);
@@ -30,11 +31,20 @@ static json_t *object_of(const po_block *block, const void *owner, place of) {
   return object;
 }
 
-static json_t *list_of(const po_row *row, const void *owner) {
+static json_t *list_of(const po_row *row, const void *owner, const po_units *units) {
   json_t *array = po_json_empty_array();
   for (size_t k = 0; k < po_row_items(row, owner); ++k)
-    po_json_append(&array, object_of(row->block, po_row_item(row, owner, k), (place){owner, k}));
+    po_json_append(&array,
+                   object_of(row->block, po_row_item(row, owner, k), (place){owner, k, units}));
   return array;
+}
+
+/* Sets a number. In SI units its key has the name of the unit at its end. */
+static void set_number(json_t **object, const po_row *row, const void *owner, place of) {
+  const po_si_unit unit = of.units ? po_si_unit_of(of.units, row->dimension) : (po_si_unit){1.0};
+  char key[64];
+  snprintf(key, sizeof key, "%s%s%s", row->key, *unit.name ? "_" : "", unit.name);
+  po_json_set(object, key, po_json_number(po_si_value(&unit, po_row_number(row, owner))));
 }
 
 static json_t *labels_of(const po_row *row, place of) {
@@ -71,10 +81,20 @@ static json_t *value_of(const po_row *row, const void *owner, place of) {
   case PO_ROW_PART:
     return object_of(row->block, member, of);
   case PO_ROW_LIST:
-    return list_of(row, owner);
-  default:
-    return po_json_number(po_row_number(row, owner));
+    return list_of(row, owner, of.units);
+  default: /* a number, see set_number */
+    return NULL;
   }
+}
+
+/* Whether a row is a number with a dimension, or has one among its parts and items. */
+static bool has_dimension(const po_row *row) {
+  if (!row->block)
+    return row->dimension >= PO_DIMENSION_LENGTH;
+  for (size_t i = 0; i < row->block->count; ++i)
+    if (has_dimension(&row->block->row[i]))
+      return true;
+  return false;
 }
 
 static void add_rows(json_t **object, const po_block *block, const void *owner, place of) {
@@ -82,19 +102,25 @@ static void add_rows(json_t **object, const po_block *block, const void *owner, 
     const po_row *row = &block->row[i];
     if (row->type == PO_ROW_INLINE)
       add_rows(object, row->block, (const char *)owner + row->offset, of);
-    else if (!row->hidden && !(row->omitted && po_row_is_absent(row, owner)))
+    else if (row->hidden || (row->omitted && po_row_is_absent(row, owner)))
+      continue;
+    else if (row->type == PO_ROW_NUMBER)
+      set_number(object, row, owner, of);
+    else
       po_json_set(object, row->key, value_of(row, owner, of));
   }
 }
 
 json_t *po_json_of(const po_block *block, const void *owner) {
-  return object_of(block, owner, (place){NULL, 0});
+  return object_of(block, owner, (place){NULL, 0, NULL});
 }
 
-static json_t *points_of(const po_block *block, const void *list, size_t count) {
+static json_t *points_of(const po_block *block, const void *list, size_t count,
+                         const po_units *units) {
   json_t *array = po_json_empty_array();
   for (size_t k = 0; k < count; ++k)
-    po_json_append(&array, po_json_of(block, (const char *)list + k * block->size));
+    po_json_append(&array,
+                   object_of(block, (const char *)list + k * block->size, (place){NULL, 0, units}));
   return array;
 }
 
@@ -197,33 +223,6 @@ static po_status read_into(const json_t *object, const po_block *block, void *ow
   return status;
 }
 
-/* A view of a structure in SI units: the members with the keys of a list, which ends with NULL. The
- * key of a number gets the name of its unit at its end. */
-static json_t *in_si(const po_block *block, const void *owner, const po_units *units,
-                     const char *const *keys) {
-  json_t *object = po_json_empty_object();
-  for (; *keys; ++keys) {
-    const po_row *row = po_block_find(block, NULL, *keys).row;
-    char key[64];
-    if (row->type != PO_ROW_NUMBER) {
-      po_json_set(&object, row->key, value_of(row, owner, (place){NULL, 0}));
-      continue;
-    }
-    const po_si_unit unit = po_si_unit_of(units, row->dimension);
-    snprintf(key, sizeof key, "%s%s%s", row->key, *unit.name ? "_" : "", unit.name);
-    po_json_set(&object, key, po_json_number(po_si_value(&unit, po_row_number(row, owner))));
-  }
-  return object;
-}
-
-json_t *po_json_si_list(const po_block *block, const void *list, size_t count,
-                        const po_units *units, const char *const *keys) {
-  json_t *array = po_json_empty_array();
-  for (size_t k = 0; k < count; ++k)
-    po_json_append(&array, in_si(block, (const char *)list + k * block->size, units, keys));
-  return array;
-}
-
 /* -- Requests and results -- */
 
 json_t *po_json_input(const po_request *request) {
@@ -291,15 +290,27 @@ json_t *po_json_document(const po_request *request, const po_result *result) {
   json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")});
   po_json_set_all(&document, po_json_result(request, result));
   if (request->want & PO_WANT_CURVE)
-    po_json_set(&document, "curve", points_of(&PO_CURVE_ROWS, result->curve, result->curve_count));
+    po_json_set(&document, "curve",
+                points_of(&PO_CURVE_ROWS, result->curve, result->curve_count, NULL));
   if (request->want & PO_WANT_PROFILE) {
     po_json_set(&document, "profile_approach", po_json_number(result->profile_approach));
     po_json_set(&document, "profile",
-                points_of(&PO_PROFILE_ROWS, result->profile, result->profile_count));
+                points_of(&PO_PROFILE_ROWS, result->profile, result->profile_count, NULL));
     po_json_set(&document, "contact", po_json_of(&PO_CONTACT_ROWS, result));
   }
   po_json_seal(&document);
   return document;
+}
+
+/* Adds the numbers of a block with a dimension, and the parts and lists that have some, in SI
+ * units.
+ */
+static void add_in_si(json_t **object, const po_block *block, const po_result *result,
+                      const po_units *units) {
+  for (size_t i = 0; i < block->count; ++i)
+    if (has_dimension(&block->row[i]))
+      add_rows(object, &(po_block){.row = &block->row[i], .count = 1}, result,
+               (place){NULL, 0, units});
 }
 
 json_t *po_json_units(const po_units *units) {
@@ -308,14 +319,24 @@ json_t *po_json_units(const po_units *units) {
                         {"traction_pa", po_json_number(units->traction)});
 }
 
-json_t *po_json_units_pull_off(const po_units *u, const po_result *result) {
-  static const char *const KEYS[] = {"force",
-                                     "approach",
-                                     "contact_radius",
-                                     "error_estimate",
-                                     "approach_error_estimate",
-                                     "contact_radius_error_estimate",
-                                     "contact_radius_other",
-                                     NULL};
-  return result->has_pull_off ? in_si(&PO_PULL_OFF_ROWS, result, u, KEYS) : json_null();
+json_t *po_json_result_in_si(const po_units *units, const po_result *result) {
+  json_t *object = po_json_empty_object();
+  add_in_si(&object, &PO_RESULT_ROWS, result, units);
+  add_in_si(&object, &PO_WANTED_ROWS, result, units);
+  return object;
+}
+
+json_t *po_json_document_in_si(const po_request *request, const po_result *result) {
+  const po_units *units = &request->units;
+  json_t *object = po_json_result_in_si(units, result);
+  if (request->want & PO_WANT_CURVE)
+    po_json_set(&object, "curve",
+                points_of(&PO_CURVE_ROWS, result->curve, result->curve_count, units));
+  if (request->want & PO_WANT_PROFILE) {
+    po_json_set(&object, "profile_approach_m",
+                po_json_number(result->profile_approach * units->length));
+    po_json_set(&object, "profile",
+                points_of(&PO_PROFILE_ROWS, result->profile, result->profile_count, units));
+  }
+  return object;
 }

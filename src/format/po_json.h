@@ -31,19 +31,15 @@ po_status po_json_read_result(const json_t *object, po_result *result);
 /* Returned: a structure as an object; NULL if memory runs out. */
 json_t *po_json_of(const po_block *block, const void *owner);
 
-/* Returned: a list of structures in SI units, of each the members with the keys of a list, which
- * ends with NULL. The key of a number gets the name of its unit at its end. NULL if memory runs
- * out.
- */
-json_t *po_json_si_list(const po_block *block, const void *list, size_t count,
-                        const po_units *units, const char *const *keys);
-
 /* The units of dimensionless numbers: {"length_m", "force_n", "traction_pa"}. */
 json_t *po_json_units(const po_units *units);
 
-/* The pull-off: {"force_n", "approach_m", "contact_radius_m", "error_estimate_n",
- * "approach_error_estimate_m", "contact_radius_error_estimate_m", "contact_radius_other_m"}; null
- * if there is none. */
-json_t *po_json_units_pull_off(const po_units *units, const po_result *result);
+/* The result in SI units: of the keys of PO_RESULT_ROWS and PO_WANTED_ROWS the numbers with a
+ * dimension, and the parts and lists that have some. The key of a number has the unit at its end:
+ * "force_n". Returned: NULL if memory runs out. */
+json_t *po_json_result_in_si(const po_units *units, const po_result *result);
+
+/* The same with "curve", "profile_approach_m" and "profile" if they were requested. */
+json_t *po_json_document_in_si(const po_request *request, const po_result *result);
 
 #endif

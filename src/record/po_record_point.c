@@ -235,10 +235,11 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
                                 : po_json_take_text(po_input_command(&shown)));
   if (point->traced)
     po_json_set(&object, "traced", sealed_result(&shown, &run->points[index].trace));
-  if (kase->is_physical)
-    po_json_set(&object, "physical",
-                PO_JSON_OBJECT({"units", po_json_units(&kase->units)},
-                               {"pull_off", po_json_units_pull_off(&kase->units, result)}));
+  if (kase->is_physical) {
+    json_t *physical = PO_JSON_OBJECT({"units", po_json_units(&kase->units)});
+    po_json_set_all(&physical, po_json_result_in_si(&kase->units, result));
+    po_json_set(&object, "physical", physical);
+  }
   return object;
 }
 

@@ -28,10 +28,6 @@ typedef struct {
  * 500 elements); it applies if another scheme is chosen. */
 po_mesh po_mesh_default(void);
 
-/* The default of the fixed schemes: triangles, uniform, 501 nodes, as in the paper (N = 500
- * elements). */
-po_mesh po_mesh_fixed(void);
-
 /* Checks a mesh. Status: PO_BAD_INPUT, naming the key that is wrong, its value and the expected
  * range. */
 po_status po_mesh_check(const po_mesh *mesh);

@@ -13,7 +13,7 @@ import re
 import subprocess
 import sys
 
-COLUMNS = ("key", "type", "unit", "error", "null", "omitted", "of", "says")
+COLUMNS = ("key", "type", "unit", "si", "error", "null", "omitted", "of", "says")
 NULL = {"type": "null"}
 # The keys of a result that do not come from its rows: the request, and the table of its profile.
 BEFORE = {"result": {"key": "input", "says": "the request, defaults included", "of": "input"}}
@@ -117,6 +117,32 @@ def table_of_keys(text, rows):
     return text
 
 
+def in_si(found):
+    """The definitions of a result in SI units: blocks with numbers that have a dimension, which have the unit in their key."""
+    def has_dimension(row):
+        return row["si"] or (row["type"] in ("part", "list") and any(map(has_dimension, found.get(row["of"], []))))
+
+    def changed(row):
+        row = row | {"key": f"{row['key']}_{row['si']}" if row["si"] else row["key"]}
+        return row | {"of": f"physical_{row['of']}"} if row["type"] in ("part", "list") and has_dimension(row) else row
+
+    names = {"curve_point", "profile_point"}
+    result = [row for row in found["result"] if has_dimension(row)]
+    waiting = [row["of"] for row in result]
+    while waiting:
+        name = waiting.pop()
+        if name not in names and any(map(has_dimension, found.get(name, []))):
+            names.add(name)
+            waiting += [row["of"] for row in found[name]]
+    said = {f"physical_{name}": [changed(row) for row in found[name]] for name in sorted(names - {""})}
+    units = NAMELESS | {"key": "units", "of": "units"}
+    points = [NAMELESS | {"key": key, "type": "list", "of": f"physical_{key}_point", "omitted": "1"} for key in ("curve", "profile")]
+    points.append(NAMELESS | {"key": "profile_approach_m", "type": "number", "null": "as in `solve`", "omitted": "1"})
+    said["record_physical"] = [units, *map(changed, result)]
+    said["physical"] = [NAMELESS | {"key": "input", "of": "physical_input"}, *said["record_physical"], *points]
+    return said
+
+
 def replaced(text, pattern, new, what):
     """The text with the one place that fits a pattern replaced."""
     places = re.findall(pattern, text, re.M)
@@ -136,6 +162,10 @@ def main():
     for name, rows in found.items():
         texts[page] = texts[page] if name == "input" else replaced(texts[page], rf"^\| `{name}` \| meaning .*(?:\n\|.*)*", table(name, rows), name)
         texts[schema] = replaced(texts[schema], rf'^    "{name}": {{\n(?:     .*\n)*    }}', definition(name, rows), name)
+    pattern = r'^    "(?:physical(?!_input)\w*|record_physical)": {\n(?:     .*\n)*    }(?:,\n)?'
+    schema_text = re.sub(pattern, "", texts[schema], flags=re.M)
+    defined = "".join(definition(name, rows) + ",\n" for name, rows in in_si(found).items())
+    texts[schema] = replaced(schema_text, r'^    "theory_physical": {\n', defined + '    "theory_physical": {\n', "theory_physical")
     wrong = [path for path, text in texts.items() if text != path.read_text()]
     for path in wrong:
         if more == ["--write"]:

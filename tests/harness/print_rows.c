@@ -1,7 +1,7 @@
 /* Prints the keys of a scene and the rows of a result, one a line, cells between tabs: definition,
- * key, type, dimension, error, null, omitted, definition of the part or words, says; of a key says
- * is its owner. tests/cli/rows.py makes tables of doc/json.md and definitions of the JSON Schema of
- * them. */
+ * key, type, unit, name of the SI unit, error, null, omitted, definition of the part or words,
+ * says; of a key says is its owner. tests/cli/rows.py makes tables of doc/json.md and definitions
+ * of the JSON Schema of them. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,6 +10,7 @@
 #include "po_law_kind.h"
 #include "po_profile_kind.h"
 #include "po_result_rows.h"
+#include "po_si.h"
 
 static const char *const TYPES[] = {"number", "count", "integer", "flag", "text",   "word",
                                     "status", "label", "labels",  "part", "inline", "list"};
@@ -29,8 +30,10 @@ static void print_rows(const char *name, const po_block *block) {
       print_rows(name, row->block);
     if (row->type == PO_ROW_INLINE || row->hidden)
       continue;
-    printf("%s\t%s\t%s\t%s\t%s\t%s\t%d\t", name, row->key, TYPES[row->type], UNITS[row->dimension],
-           row->error, row->null, row->omitted);
+    const po_si_unit si = po_si_unit_of(&(po_units){1.0, 1.0, 1.0}, row->dimension);
+    printf("%s\t%s\t%s\t%s\t%s\t%s\t%s\t%d\t", name, row->key, TYPES[row->type],
+           UNITS[row->dimension], row->dimension >= PO_DIMENSION_LENGTH ? si.name : "", row->error,
+           row->null, row->omitted);
     for (const char *const *word = row->names; word && *word; ++word)
       printf("%s%s", word == row->names ? "" : " ", *word);
     printf("%s%s\t%s\n", row->block ? row->block->name : "", row->take ? " status" : "", row->says);
@@ -79,7 +82,7 @@ static void print_keys(void) {
     const bool number = po_key_is_number((po_key)key);
     const bool text = key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
     const bool null = text || (number && isnan(po_key_number(&usual, (po_key)key)));
-    printf("input\t%s\t%s\t\t\t%s\t0\t", po_key_name((po_key)key),
+    printf("input\t%s\t%s\t\t\t\t%s\t0\t", po_key_name((po_key)key),
            number ? type_of_number(key)
            : text ? "text"
                   : "word",
