@@ -340,7 +340,8 @@ static po_status parse(po_case *kase, const po_yaml *yaml) {
   static po_status (*const STEPS[])(po_case *, const po_yaml *) = {
       parse_names,         parse_repeats,  po_case_profile_resolve, po_case_sweep_parse,
       po_case_scene_parse, parse_checks,   po_case_lines_parse,     parse_series,
-      check_stand_ins,     po_case_expand, check_concerned,         check_pinned};
+      check_stand_ins,     po_case_expand, po_case_scene_check,     check_concerned,
+      check_pinned};
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < sizeof STEPS / sizeof *STEPS; ++i)
     status = STEPS[i](kase, yaml);

@@ -256,3 +256,25 @@ po_status po_case_scene_parse(po_case *kase, const po_yaml *yaml) {
     status = check_pairs(kase->file, yaml);
   return status ? status : check_keys(kase->file, yaml);
 }
+
+static bool is_parameter_of_none(const po_case *kase, int key) {
+  if (!po_key_is_parameter(key, PO_OWNER_LAW) && !po_key_is_parameter(key, PO_OWNER_PROFILE))
+    return false;
+  for (size_t k = 0; k < kase->point_count; ++k)
+    if (!isnan(po_key_number(&kase->points[k].request, (po_key)key)))
+      return false;
+  return true;
+}
+
+po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
+  static const char EXPECTED[] = "a parameter of the law or the profile of at least one point";
+  const po_case_file *file = kase->file;
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (file->scene.values[key] && is_parameter_of_none(kase, key))
+      return po_schema_refuse(yaml, EXPECTED, "scene.%s", po_key_name((po_key)key));
+  for (unsigned i = 0; i < file->sweep_count; ++i)
+    if (file->sweep[i].axis.key &&
+        is_parameter_of_none(kase, po_key_of_name(file->sweep[i].axis.key)))
+      return po_schema_refuse(yaml, EXPECTED, "sweep[%u].key", i + 1);
+  return PO_OK;
+}

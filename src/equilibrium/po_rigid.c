@@ -14,8 +14,8 @@
  * it. A scene with less than NEGLIGIBLE_LOAD is solved as rigid. */
 static const double ELASTIC_EFFECT = 6.0, NEGLIGIBLE_LOAD = 1e-8;
 
-/* Relative and absolute accuracy of each piece of the quadrature. Without the latter, one load in
- * twelve takes more bisections, and its last bits differ. */
+/* Relative and absolute accuracy of each piece of the quadrature. Without the latter, some loads
+ * take more bisections, and their last bits differ. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-14;
 
 double po_rigid_elastic_effect(const po_scene *scene) {

@@ -226,7 +226,7 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"environment",
        run->environment ? json_incref(run->environment) : po_environment_describe(jobs)},
       {"verdict", po_json_text(po_case_run_verdict(run))},
-      {"seconds", po_json_number(run->elapsed)}, {"plan", po_json_empty_array()},
+      {"seconds", po_json_number(run->elapsed)}, {"plan", po_plan_describe(run->plan)},
       {"points", points}, {"digest", status ? NULL : po_json_text(digest)},
       {"checks", results_json(run, &run->check_results, check_json)},
       {"measured", results_json(run, &run->measured, measure_json)},

@@ -257,6 +257,9 @@ def main():
             path.write_text(f"name: {name}\ntitle: A small case\nsuites: [smoke]\n{text}")
             tests.run(f"verify {path.name} --output run", code)
             tests.valid("record", pathlib.Path(folder, f"run/{name}/record.json").read_text(), f"record of {name}")
+            record = json.loads(pathlib.Path(folder, f"run/{name}/record.json").read_text())
+            planned = json.loads(tests.run(f"plan {path.name} --json"))
+            tests.tell(f"plan in the record of {name}", record["plan"] != planned["cases"][0]["plan"])
             explained = tests.run(f"explain {path.name} --output run --all --json", code)
             tests.valid("explain", explained, f"explain {name}")
         root_words = f"{root}/tests/cli/responder.py", "good", f"{root}/reference/feng_pull_off.csv"

@@ -97,7 +97,7 @@ BOTH = ("expected none of tabor, amplitude, wavelength, radius, outer_radius, th
 
 
 @pytest.mark.parametrize("code, message, physical, more", [
-    (2, "5: scene.physical.profile is power:1e9: expected sphere, *", TIP + ', profile: "power:1e9"', {}),
+    (2, "5: scene.physical.profile is power:1e9: expected sphere or *", TIP + ', profile: "power:1e9"', {}),
     (4, "5: scene.physical.profile_file: */cases/none.csv cannot be opened: *", TIP + ", radius_m: 3e-8, profile_file: none.csv", {}),
     (2, "5: scene.physical.waves is *: expected only one of scene.physical.amplitude_m and scene.physical.waves",
      TIP + ', profile: "cone:0.3", amplitude_m: 1e-9, wavelength_m: 1e-8, waves: "1e-9@1e-8"', {}),

@@ -8,21 +8,10 @@ _pulloff_names() { "$1" ${2:+"$2"} --help 2>/dev/null | sed -n 's/^  \([a-z][a-z
 # _pulloff_options PROGRAM VERB: prints the options that the help lists on lines "  --NAME VALUE   text".
 _pulloff_options() { "$1" "$2" --help 2>/dev/null | sed -n '/^  -/{s/^  //; s/   *.*//; p;}' | grep -o -e '--[a-z][a-z0-9-]*'; }
 
-# _pulloff_values OPTION PROGRAM: prints the values of an option that are names.
+# _pulloff_values PROGRAM VERB OPTION: prints the words that the message lists with which the program refuses the value "?".
 _pulloff_values() {
-  case $1 in
-  --scheme) echo ring triangle panel ;;
-  --grading) echo uniform graded ;;
-  --law) echo lennard-jones mie: morse: ;;
-  --profile) echo sphere power: cone: punch: truncated: ;;
-  --scale) echo log linear ;;
-  --of) echo pull-off folds ;;
-  --want) echo curve profile hysteresis preload diagnostics theories ;;
-  --theory) echo rigid dmt jkr maugis carpick-ogletree-salmeron pietrement-troyon schwarz guduru kesari-lew persson-tosatti rumpf-rabinowicz ;;
-  --suite) echo smoke paper extreme general precision random solvers theories ;;
-  --key) "$2" follow --help 2>/dev/null | sed -n '/^  --key /,/^  --from /{/--/d; p;}' | grep -o '[a-z][a-z0-9-]*' | grep -vx -e or -e in -e units ;;
-  --preload | --outer-radius | --modulus-pa) echo inf ;;
-  esac
+  "$1" "$2" "$3" '?' 2>&1 </dev/null |
+    sed -n 's/;.*//; s/.*: expected //; s/^\(one\|any\) of //; s/or in SI units //; s/, or \| or \|, /\n/gp' | sed 's/:.*/:/' | grep -x '[a-z][a-z0-9-]*:\?'
 }
 
 # The lengths that --from-physical takes in metres, as --NAME-m.
@@ -35,7 +24,7 @@ _pulloff() {
   1:*) words="$(_pulloff_names "$program") --help --version" ;;
   *:--output | *:--run) action=(-d) ;;
   *:--curve | *:--profile-csv | *:--profile-file | *:--staircase | *:--plot | *:--junit) action=(-f) ;;
-  *:--*) words=$(_pulloff_values "$before" "$program") ;;
+  *:--*) words=$(_pulloff_values "$program" "$verb" "$before") ;;
   esac
   if [ -z "$words" ] && [ ${#action[@]} -eq 0 ]; then
     case $word:$verb in
