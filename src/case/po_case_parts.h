@@ -62,8 +62,8 @@ bool po_case_varies(const po_case_file *file, po_key key);
  * nodes of panels, the wavelength of a smooth sphere. Status: as above. */
 po_status po_case_scene_parse(po_case *kase, const po_yaml *yaml);
 
-/* Checks that the law or the profile of at least one point has each parameter that is given; the
- * points must be computed. Status: as above. */
+/* Checks that the law or the profile of a point or of a line has each parameter that scene, sweep
+ * and sample give; the points must be computed. Status: as above. */
 po_status po_case_scene_check(po_case *kase, const po_yaml *yaml);
 
 /* Replaces the names of tables of profiles, which are relative to the case file, by their paths,

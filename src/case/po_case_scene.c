@@ -257,24 +257,47 @@ po_status po_case_scene_parse(po_case *kase, const po_yaml *yaml) {
   return status ? status : check_keys(kase->file, yaml);
 }
 
+/* Whether a value of an axis is a law or a profile that has a parameter. */
+static bool axis_has_parameter(const po_axis *axis, po_key key) {
+  const int named = po_key_of_name(axis->key);
+  if (named != PO_KEY_LAW && named != PO_KEY_PROFILE)
+    return false;
+  for (unsigned i = 0; i < axis->values_count; ++i) {
+    po_request request = po_request_default();
+    po_key_set(&request, (po_key)named, axis->values[i]);
+    po_key_set(&request, key, "1");
+    if (!isnan(po_key_number(&request, key))) /* one that the law or the profile lacks is NAN */
+      return true;
+  }
+  return false;
+}
+
 static bool is_parameter_of_none(const po_case *kase, int key) {
   if (!po_key_is_parameter(key, PO_OWNER_LAW) && !po_key_is_parameter(key, PO_OWNER_PROFILE))
     return false;
   for (size_t k = 0; k < kase->point_count; ++k)
     if (!isnan(po_key_number(&kase->points[k].request, (po_key)key)))
       return false;
+  for (unsigned i = 0; i < kase->file->lines_count; ++i)
+    for (unsigned k = 0; k < kase->file->lines[i].sweep_count; ++k)
+      if (axis_has_parameter(&kase->file->lines[i].sweep[k], (po_key)key))
+        return false;
   return true;
 }
 
 po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
-  static const char EXPECTED[] = "a parameter of the law or the profile of at least one point";
+  static const char EXPECTED[] = "a parameter of the law or the profile of a point or a line";
   const po_case_file *file = kase->file;
-  for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (file->scene.values[key] && is_parameter_of_none(kase, key))
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    if (!is_parameter_of_none(kase, key))
+      continue;
+    if (file->scene.values[key])
       return po_schema_refuse(yaml, EXPECTED, "scene.%s", po_key_name((po_key)key));
-  for (unsigned i = 0; i < file->sweep_count; ++i)
-    if (file->sweep[i].axis.key &&
-        is_parameter_of_none(kase, po_key_of_name(file->sweep[i].axis.key)))
-      return po_schema_refuse(yaml, EXPECTED, "sweep[%u].key", i + 1);
+    for (unsigned i = 0; i < file->sweep_count; ++i)
+      if (po_sweep_varies(&file->sweep[i], (po_key)key))
+        return po_schema_refuse(yaml, EXPECTED, "sweep[%u]", i + 1);
+    if (po_case_draws(file, (po_key)key))
+      return po_schema_refuse(yaml, EXPECTED, "sample");
+  }
   return PO_OK;
 }

@@ -21,7 +21,7 @@ enum { MOST_POINTS = 1 << 18 };
 /* The largest ratio of successive contact radii in the first wavelength. */
 static const double RATIO = 1.05;
 /* While the curve is too short, it is computed again up to a contact radius that is larger by this
- * factor: for 2 of 400 random scenes, whose lowest minimum is in a wide trough. */
+ * factor. 2 of 400 random scenes need it: their lowest minimum is in a wide trough. */
 static const double LONGER = 1.6;
 /* Two loads that differ by less, relatively, are the same: above the rounding of a minimum, which
  * is 1e-14. The staircases of 400 random scenes are the same with 1e-14 and with 1e-3. */

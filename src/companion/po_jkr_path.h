@@ -15,8 +15,9 @@
 po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_staircases *staircases);
 
 /* The loops of the JKR curve (see po_hysteresis_follow), which is extended until it contains them;
- * the outer radius of the scene is not used. Given: the most points of the curve, SIZE_MAX: as many
- * as it may have. Status: as po_jkr_staircases and po_hysteresis_follow. */
+ * the outer radius of the scene is not used. Given: the most points of the curve; SIZE_MAX: no
+ * limit beside that of every curve. Status: as po_jkr_staircases and po_hysteresis_follow;
+ * PO_TOO_MANY_POINTS also if the curve has more. */
 po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_control spring,
                             size_t most, po_hysteresis *hysteresis);
 

@@ -165,13 +165,14 @@ static po_status start(po_continuation *t) {
   po_solution *p = &t->current;
   double approach, begin = t->options.begin;
   po_status status;
+  int doublings = 0;
   do {
     status = mesh_start(t, begin, &approach);
     if (status)
       return status;
     status = solve_start(t, approach);
     begin = 2.0 * approach;
-  } while (!status && !softens(e, p->state));
+  } while (!status && !softens(e, p->state) && ++doublings < MOST_DOUBLINGS);
   if (!status)
     status = po_equilibrium_tangent(e, PO_STEP_TANGENT, p->tangent);
   if (status == PO_INTERRUPTED || status == PO_OUT_OF_TIME)

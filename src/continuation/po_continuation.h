@@ -23,8 +23,8 @@ typedef struct {
   /* approaches, eps, at which a point is computed each time the branch passes them; NAN: none */
   double station[PO_STATIONS];
   double end;   /* approach, eps, at which the trace ends if it is met; NAN: none */
-  double begin; /* approach, eps, at which the trace starts if it is below the one that the solver
-                   chooses; NAN: none */
+  double begin; /* approach, eps, at which the trace starts, or farther out, if it is below the one
+                   that the solver chooses; NAN: none */
   double
       largest_sagitta; /* of the chord of a step in the plane of approach and load: the greatest
                           allowed distance of the curve from a straight line between its points */

@@ -34,8 +34,8 @@ void po_corrector_free(po_corrector *c);
  * stored in `trouble`. */
 po_status po_corrector_adapt(po_corrector *c, const po_gap_field *field, po_panels *panels);
 
-/* Sets p->wanted to the coarsest mesh that resolves the solution p so. Does nothing on a fixed
- * mesh. Status: as above. */
+/* Sets p->wanted to the coarsest mesh that resolves the solution p with that margin. Does nothing
+ * on a fixed mesh. Status: as above. */
 po_status po_corrector_want_mesh(po_corrector *c, po_solution *p);
 
 /* Whether the mesh resolves a solution on it, or is fixed. */

@@ -325,7 +325,10 @@ static po_status follow_to(po_follower *f, double at) {
     const bool shortest =
         fabs(step) < (f->count == 1 ? SHORTEST_FIRST_PART : SHORTEST_PART) * fabs(whole);
     double error = INFINITY;
-    if (try_step(f, to, shortest, &error)) {
+    const po_status tried = try_step(f, to, shortest, &error);
+    if (tried == PO_NO_MEMORY)
+      return tried;
+    if (tried) {
       po_message_clear();
       f->c.trouble = PO_OK;
       if (shortest && !po_watch_look())

@@ -30,9 +30,9 @@ typedef struct {
 /* Estimates the error of a fold or an extremum of the load. The special point is solved again on a
  * finer mesh, on which every panel that contributes to the error is halved and panels that span
  * several waves are split. If the error of the load exceeds how->enough, the finer solution
- * replaces the special point and is compared with one on a still finer mesh. Given:
- * r->point, and its approach and load in r->value. Returned:
- * r. The current mesh stays, without its factors. Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
+ * replaces the special point and is compared with one on a still finer mesh. Given: r->point,
+ * and its approach and load in r->value. Returned: r. The current mesh stays, without its factors.
+ * Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
 po_status po_refine(po_corrector *c, const po_refinement *how, po_refined *r);
 
 /* Locates the fold or extremum near the guess on the current mesh: Newton's method for the

@@ -42,7 +42,7 @@ typedef struct {
   size_t room;      /* allocated size of `matrix`, in elements */
   float *matrix;    /* n x n, column-major; the LU factors when it is factorised */
   float *right;     /* n: the scaled right-hand side */
-  bool in_double;   /* for the owner: the next matrix is in double precision */
+  bool in_double;   /* the next matrix is in double precision */
   bool is_double;   /* the present one is */
   size_t wide_room; /* as room, of `wide` */
   double *wide;     /* as matrix, in double precision */
@@ -96,8 +96,9 @@ typedef struct {
   po_secant secant;               /* Broyden's updates since the factorisation */
   bool factorized;
   int orientation; /* sign of the determinant of the factors, without Broyden's updates */
-  po_work work;    /* without that of the surface */
-  uint64_t tangent_iterations;
+  po_work work; /* points, iterations, factorisations and meshes; what the surface, a trace and the
+                   clock count is 0 */
+  uint64_t tangent_iterations; /* of solves for a tangent, for tests */
 } po_equilibrium;
 
 /* Given: scene and surface, which must outlive the object; the number of nodes for which memory is

@@ -19,7 +19,7 @@ typedef struct {
 } po_allowance;
 
 typedef struct {
-  const po_equilibrium *e;
+  const po_equilibrium *e; /* panels are relative to the core radius of its surface */
   po_allowance allowed;
 } po_resolution;
 

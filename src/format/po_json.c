@@ -337,6 +337,7 @@ json_t *po_json_document_in_si(const po_request *request, const po_result *resul
                 po_json_number(result->profile_approach * units->length));
     po_json_set(&object, "profile",
                 points_of(&PO_PROFILE_ROWS, result->profile, result->profile_count, units));
+    po_json_set(&object, "contact", object_of(&PO_CONTACT_ROWS, result, (place){NULL, 0, units}));
   }
   return object;
 }

@@ -39,7 +39,7 @@ json_t *po_json_units(const po_units *units);
  * "force_n". Returned: NULL if memory runs out. */
 json_t *po_json_result_in_si(const po_units *units, const po_result *result);
 
-/* The same with "curve", "profile_approach_m" and "profile" if they were requested. */
+/* The same with "curve", "profile_approach_m", "profile" and "contact" if they were requested. */
 json_t *po_json_document_in_si(const po_request *request, const po_result *result);
 
 #endif

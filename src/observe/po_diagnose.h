@@ -56,7 +56,8 @@ void po_kept_clear(po_kept *kept);
  * after it; back, whether the trace is the reverse one. Status: PO_NO_MEMORY. */
 po_status po_passage_note(po_passage *passage, const po_special_point *point, int modes, bool back);
 
-/* Compares the forward trace with the reverse trace. Given: the status of the reverse trace. */
+/* Compares the forward trace with the reverse trace, kept->out and kept->back. Given: the status of
+ * the reverse trace. */
 po_reverse_trace po_reverse_trace_compare(const po_kept *kept, po_status status);
 
 #endif

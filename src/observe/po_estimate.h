@@ -16,7 +16,7 @@ typedef struct {
 } po_estimate;
 
 /* Given: the radius of the domain of the panels, eps (panels only); a special point during its
- * visit. Returned: without the number of unstable modes at a given base. */
+ * visit, whose kind is a fold or an extremum. Returned: without has_base and base_modes. */
 po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *point);
 
 /* Makes a minimum of the load the pull-off of a result. */

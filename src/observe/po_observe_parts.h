@@ -1,5 +1,5 @@
-/* Functions shared by the solve of one scene and the parameter continuation of its special points.
- */
+/* Functions of the solve of one scene; some are shared with the parameter continuation of its
+ * special points. */
 #ifndef PO_OBSERVE_PARTS_H
 #define PO_OBSERVE_PARTS_H
 

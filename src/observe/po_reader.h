@@ -25,7 +25,8 @@ typedef struct {
  * computed. The curve of the result is without the first ones, which are not recorded. */
 typedef struct {
   po_curve_point *path; /* owned */
-  size_t count, room, before;
+  size_t count, room;
+  size_t before; /* number of the first points, which are not recorded */
 } po_trace_points;
 
 /* The energy balance dU = W d(approach) along a branch. It is violated if a state belongs to
@@ -59,7 +60,7 @@ typedef struct {
 } po_reader;
 
 /* Initialises a reader for a trace; and frees its memory, after storing the energy balance in the
- * result. */
+ * result and giving it the curve, of which it has none before. */
 po_reader po_reader_begin(const po_request *request, po_result *result, double deadline);
 void po_reader_end(po_reader *reader);
 

@@ -58,6 +58,7 @@ typedef struct {
  * verb, and of --help. getopt itself returns ':', '?' and 'h'. */
 enum { PO_OPTION_PHYSICAL = 1, PO_OPTION_KEYS = 200, PO_OPTION_ROWS = 400, PO_OPTION_HELP = 1000 };
 
+/* An option of a verb that may be given more than once. */
 enum { PO_SEVERAL = 1 << 20 };
 
 /* The command line of one verb, and the options it may have beside --help. */

@@ -246,7 +246,7 @@ static po_status read_staircase(const po_path *path, po_control control, po_stai
 po_status po_staircases_read(const po_path *path, po_control spring, po_staircases *staircases) {
   const po_control controls[PO_TESTS] = {PO_DISPLACEMENT_CONTROL, PO_LOAD_CONTROL, spring};
   po_status status = PO_OK;
-  staircases->has_spring = po_is_spring(spring);
+  *staircases = (po_staircases){.has_spring = po_is_spring(spring)};
   for (int k = 0; k < 2 + staircases->has_spring && !status; ++k)
     status = read_staircase(path, controls[k], &staircases->of[k]);
   if (status)

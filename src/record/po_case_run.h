@@ -18,7 +18,7 @@ enum { PO_ROUND_SOLVES = 2 };
 
 /* Seconds of one round of a point (po_job.h). NAN: not solved, or unknown. */
 typedef struct {
-  double seconds, processor_seconds; /* of the solve */
+  double seconds, processor_seconds; /* of the solve; 0 until then */
   /* Of an external solver that is timed. `seconds` is then the second solve, as reported; without
    * one the first. */
   double first;                       /* the first solve, as reported */

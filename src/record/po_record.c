@@ -1,3 +1,4 @@
+#include "po_record.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +9,6 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_json_digest.h"
-#include "po_record.h"
 
 static po_status write_line(const po_case *kase, const po_case_line *line, const char *folder,
                             const volatile sig_atomic_t *stop, json_t **entry) {

@@ -8,7 +8,8 @@
 
 // clang-format off
 #define NO_BOUND "for rings and triangles, and for the JKR theory"
-/* The tests of a scene. Given: the rows of one, and of that through the spring. */
+/* The tests of a scene, of a structure S with the members `of` and `has_spring`. Given: the rows of
+ * one, and of that through the spring. */
 #define TESTS(rows, of_spring, at_approach, at_load, through_spring)                               \
   PART("displacement_control", of[PO_AT_APPROACH], rows, at_approach),                             \
   PART("load_control", of[PO_AT_LOAD], rows, at_load),                                             \

@@ -126,7 +126,8 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   const json_int_t number = json_integer_value(json_object_get(part->root, "shard"));
   const json_int_t of = json_integer_value(json_object_get(part->root, "of"));
   if (strcmp(po_record_text(part->root, "schema"), SCHEMA) != 0 || number < 1 || number > of ||
-      json_array_size(cases_of(part)) == 0)
+      json_array_size(cases_of(part)) == 0 ||
+      !json_is_object(json_object_get(part->root, "environment")))
     return po_fail(PO_CANNOT_READ, "%s is damaged: expected the description of a shard", path);
   if (!intact)
     return po_fail(PO_CANNOT_READ, "%s was altered: it does not have its checksum", path);

@@ -37,12 +37,13 @@ typedef struct {
 typedef struct {
   po_merge_part *parts;
   size_t count;
-  char **cases; /* the arguments that select the cases on a command line */
+  char **cases; /* the arguments that select the cases on a command line; of the first document */
   size_t case_count;
   double time_limit; /* that replaced those of the cases; NAN: none did */
 } po_merge;
 
-/* Finds the shards in some folders, in any order. A folder may contain several shards.
+/* Finds the shards in some folders, in any order. A folder may contain several shards. Given: the
+ * folders, which must outlive the merge.
  * Status: PO_CANNOT_READ if a folder contains no shard or a shard is damaged; PO_BAD_INPUT if a
  * shard occurs twice or is missing, or if it differs from the first in the number of shards, the
  * program, the cases or their scenes. The message names the shard. */

@@ -17,7 +17,7 @@
 // clang-format off
 /* The laws, each with the text that chooses it, and the parameters of all laws with their names,
  * which begin with that of their law. A new law is a row in the first list, its parameters in the
- * order of the text in the second, and a file (po_law_kind.h). */
+ * order of the text in the second, and a file (po_law_kind.h); doc/extending.md says the rest. */
 #define PO_LAW_ROWS(X) \
   X(LENNARD_JONES, "lennard-jones") \
   X(MIE, "mie:m,n") \

@@ -18,9 +18,9 @@ struct po_law_kind {
   double (*energy)(const po_law *law, double gap);
   po_law_value (*averaged)(const po_law *law, double gap, double amplitude);
   double (*energy_averaged)(const po_law *law, double gap, double amplitude);
-  /* Scale and closeness only measure steps and changes; the others bound gaps. Scale, closest gap
-   * and reach may be NULL in a law of powers of 1 + H: then the scale is 1 + H, the closest gap -1,
-   * and the reach 20. Every other law must give all three. */
+  /* Scale and closeness only measure steps and changes; closest gap and reach bound gaps. Scale,
+   * closest gap and reach may be NULL in a law of powers of 1 + H: then the scale is 1 + H, the
+   * closest gap -1, and the reach 20. Every other law must give all three. */
   po_law_scale (*scale)(const po_law *law, double gap);
   po_law_closeness (*closeness)(const po_law *law, double gap); /* at gaps > 0 */
   double (*peak_gap)(const po_law *law);                        /* exact: it defines the contact */

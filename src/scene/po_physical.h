@@ -27,8 +27,9 @@ typedef struct {
 
 /* Computes the dimensionless scene but for its law and its profile, which stay: mu = (R w^2/(E*^2
  * eps^3))^(1/3) (text after Eq 15) and the lengths in units of epsilon. Given: numbers that the
- * keys accept: > 0, the amplitude >= 0 or a multiple of the wavelength. Intermediate results cannot
- * overflow. Status: PO_BAD_INPUT, naming the group that is outside the range of doubles. Accuracy:
+ * keys accept: > 0, the amplitude >= 0, or infinite if the product of a ratio and the wavelength
+ * was. Intermediate results cannot overflow. Status: PO_BAD_INPUT for such an amplitude, or naming
+ * the group that is outside the range of doubles. Accuracy:
  * 8 ulp (tests/unit/test_physical.c). */
 po_status po_physical_scene(const po_physical *physical, po_scene *scene);
 

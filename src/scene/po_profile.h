@@ -16,8 +16,8 @@
 // clang-format off
 /* The profiles, each with the text that chooses it, but for that of a table; and the parameters of
  * all profiles, each with its name and whether it is a length. A new profile is a row in the first
- * list, its parameters in the order of the text in the second, and a file (po_profile_kind.h). The
- * radius R of the sphere is one of the scene (po_scene.h), which measures loads by it. */
+ * list, its parameters in the order of the text in the second, and a file (po_profile_kind.h);
+ * doc/extending.md says the rest. The radius R of the sphere is one of the scene (po_scene.h), which measures loads by it. */
 #define PO_PROFILE_ROWS(X) \
   X(SPHERE, "sphere") \
   X(POWER, "power:C,n") \

@@ -24,7 +24,7 @@ po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_s
 typedef struct {
   po_solution point;
   double approach, load;
-  double margin; /* of the stopping rule at this point, see po_reader.h */
+  double margin; /* of the stopping rule at this point, see po_stopping.h */
 } po_kept_point;
 
 /* The tensile minima of the load of a trace, or its folds. */

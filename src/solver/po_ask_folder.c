@@ -114,23 +114,28 @@ typedef struct {
   const po_question *questions;
   po_answer_taker *take;
   void *context;
+  po_taking *taking;
 } recovery;
 
 /* Takes a complete successful answer that an interrupted run left. Of repeated solves, all would be
- * needed: such a point is solved again. */
+ * needed: such a point is solved again. A question without such an answer stays open, since another
+ * folder may have one. */
 static po_status take_left(void *context, size_t question, po_answer *answer, bool final) {
   const recovery *r = context;
-  return answer->result.status || r->questions[question].repeats > 1
-             ? PO_OK
-             : r->take(r->context, question, answer, final);
+  if (!answer->result.status && r->questions[question].repeats == 1)
+    return r->take(r->context, question, answer, final);
+  r->taking->open[question] = true;
+  r->taking->spoiled[question] = false;
+  r->taking->seen[question] = 0;
+  return PO_OK;
 }
 
 po_status po_recover(const po_question *questions, size_t count, const char *folder,
                      const char *key, po_answer_taker *take, void *context) {
   char **names = NULL;
   size_t name_count = 0;
-  recovery r = {questions, take, context};
   po_taking taking;
+  recovery r = {questions, take, context, &taking};
   po_status status = po_taking_make(questions, count, take_left, &r, &taking);
   if (!status && po_path_exists(folder))
     status = po_folder_list(folder, "", &names, &name_count);

@@ -186,9 +186,9 @@ static int become(char *const *command, char *const *environment, const char *fo
   static const int RESET[] = {SIGINT, SIGTERM, SIGPIPE, SIGHUP, SIGQUIT, SIGCHLD};
   sigset_t none;
   sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, NULL);
   for (size_t i = 0; i < sizeof RESET / sizeof *RESET; ++i)
     signal(RESET[i], SIG_DFL);
+  sigprocmask(SIG_SETMASK, &none, NULL); /* what came since the start of the process ends it */
   /* an interrupt at the terminal is for the main program alone */
   if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, (long)SIGKILL) != 0 || chdir(folder) != 0)
     return errno;
@@ -240,11 +240,15 @@ static po_status start(char *const *command, char *const *environment, const cha
                        po_process *process) {
   int output[2] = {-1, -1}, error = make_pipe(output);
   const pid_t parent = getpid();
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
   process->begin = po_clock_wall();
   /* not fork: its handlers would stop the threads of the linear algebra library */
   process->pid = error ? -1 : _Fork();
   if (process->pid == 0)
     run(command, environment, folder, parent, output[1]);
+  pthread_sigmask(SIG_SETMASK, &before, NULL);
   close_end(&output[1]);
   process->output = output[0];
   if (process->pid > 0)
@@ -257,7 +261,7 @@ static po_status start(char *const *command, char *const *environment, const cha
     return PO_OK;
   }
   if (process->pid > 0) {
-    kill(process->pid, SIGKILL);
+    kill(-process->pid, SIGKILL);
     while (waitpid(process->pid, NULL, 0) < 0 && errno == EINTR)
       continue;
   }

@@ -55,7 +55,7 @@ po_status po_taking_make(const po_question *questions, size_t count, po_answer_t
 void po_taking_clear(po_taking *taking);
 
 /* Begins a process, which is asked all open questions, each from its first repeat on. Given: the
- * path of its response. */
+ * path of its response, which must live until the last po_taking_lines. */
 void po_taking_begin(po_taking *taking, const char *response);
 
 /* Returned: the first open question; `count`: there is none. */

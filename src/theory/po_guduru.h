@@ -18,8 +18,10 @@ extern const double PO_GUDURU_FIRST;
  * (tests/theory/test_tables_theory.c). */
 po_contact po_guduru_at(const po_scene *scene, double contact_radius);
 
-/* The derivatives of Eq 5: dW/da, W in pi w R, in 1/eps (dP/da = 2 E* a dDelta/da for the contact
- * without adhesion); and dDelta/da, both in eps, -INFINITY at a = 0. */
+/* The derivatives of Eq 5 by the contact radius, which vanish at the extrema of a test: for
+ * PO_GIVEN_LOAD dW/da, W in pi w R, in 1/eps (dP/da = 2 E* a dDelta/da for the contact without
+ * adhesion); for PO_GIVEN_APPROACH dDelta/da, both in eps, -INFINITY at a = 0. NaN outside the
+ * domain of po_guduru_at. */
 double po_guduru_rate(const po_scene *scene, po_given given, double contact_radius);
 
 /* Finds the largest contact radius, in eps, at which the load of Eq 5 has a minimum that is not

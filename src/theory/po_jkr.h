@@ -1,6 +1,6 @@
 /* The theories of JKR and DMT of the smooth sphere: short-range adhesion (Johnson, Kendall and
- * Roberts 1971), and attraction that does not deform (Derjaguin, Muller and Toporov 1975). And its
- * pull-off force between these limits. */
+ * Roberts 1971), and attraction that does not deform (Derjaguin, Muller and Toporov 1975). And the
+ * pull-off force of that sphere between these limits. */
 #ifndef PO_JKR_H
 #define PO_JKR_H
 

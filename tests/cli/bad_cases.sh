@@ -35,9 +35,9 @@ spoilt 's/outer_radius: inf/outer_radius: -1/' \
 spoilt 's/outer_radius: inf/outer_radius: nan/' \
   '8: scene.outer_radius is nan: expected a finite number > 0, or inf'
 spoilt 's/radius: 100/&\n  morse_a: 3/' \
-  '8: scene.morse_a is 3: expected a parameter of the law or the profile of at least one point'
+  '8: scene.morse_a is 3: expected a parameter of the law or the profile of a point or a line'
 spoilt 's/^scene:/sweep: [{key: cone_t, values: [1, 2]}]\n&/' \
-  '4: sweep[[]1[]].key is cone_t: expected a parameter of the law or the profile of at least one point'
+  '4: sweep[[]1[]] is *: expected a parameter of the law or the profile of a point or a line'
 spoilt 's/nodes: 101/nodes: 3.5/' '10: scene.nodes is 3.5: expected a whole number > 0'
 spoilt 's/nodes: 101/nodes: -5/' '10: scene.nodes is -5: expected a whole number > 0'
 spoilt 's/scheme: triangle/scheme: cube/' '9: scene.scheme is cube: expected ring, triangle or panel'

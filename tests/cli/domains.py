@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BASE = {"tabor": "1", "radius": "100", "outer_radius": "30", "scheme": "panel"}
 WITH = {"amplitude": {"wavelength": "9"}, "wavelength": {"amplitude": "0.1"}, "coupling": {"tabor": None},
         "mie_m": {"law": "mie", "mie_n": "60"}, "mie_n": {"law": "mie", "mie_m": "4"}, "morse_a": {"law": "morse"},
-        "power_n": {"profile": "power", "power_c": "0.1"}}
+        "power_n": {"profile": "power", "power_c": "0.1"}, "table_scale": {"profile_file": "table.csv"}}
 BESIDE = 1e-6
 
 
@@ -61,6 +61,7 @@ def main():
     page = (ROOT / "doc/cases.md").read_text().split("## Scene", 1)[1].split("\n## ", 1)[0]
     tried, failed, keys = 0, 0, set()
     with tempfile.TemporaryDirectory(prefix="pulloff-domains-") as folder:
+        pathlib.Path(folder, "table.csv").write_text("r,gap\n" + "".join(f"{r},{r * r / 200}\n" for r in range(9)))
         for key, domain in domains(page, (ROOT / "doc/guide.md").read_text()):
             for value, inside in trials(key, domain):
                 accepted, said = accepts(sys.argv[1], folder, key, value)

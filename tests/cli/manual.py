@@ -63,8 +63,10 @@ def bash_values(root, program, verb, option):
 
 def zsh_values(root, program, verb, option):
     text = (root / "src/cli/completion/_pulloff").read_text(encoding="utf-8")
-    command = re.search(r'^_pulloff_values\(\) {\n  found=\(\$\{\(f\)"\$\(\$words\[1\] (.*)\)"\}\)', text, re.M)[1]
-    return set(output("bash", "-c", f'"$0" {command}', program, verb, option).split())
+    command = re.search(r'^_pulloff_values\(\) {\n  found=\(\$\{\(f\)"\$\((.*?)\)"\}\)\n', text, re.M | re.S)[1]
+    command = command.replace("$words[1]", '"$0"').replace("${(z)verb}", "$verb")
+    return set(output("bash", "-c", command, program, verb, option).split())
+
 
 
 def check_verb(program, root, pages, verb, helps):

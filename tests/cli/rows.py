@@ -126,9 +126,9 @@ def in_si(found):
         row = row | {"key": f"{row['key']}_{row['si']}" if row["si"] else row["key"]}
         return row | {"of": f"physical_{row['of']}"} if row["type"] in ("part", "list") and has_dimension(row) else row
 
-    names = {"curve_point", "profile_point"}
+    names = {"curve_point", "profile_point", "contact"}
     result = [row for row in found["result"] if has_dimension(row)]
-    waiting = [row["of"] for row in result]
+    waiting = [row["of"] for row in result + found["contact"]]
     while waiting:
         name = waiting.pop()
         if name not in names and any(map(has_dimension, found.get(name, []))):
@@ -137,6 +137,7 @@ def in_si(found):
     said = {f"physical_{name}": [changed(row) for row in found[name]] for name in sorted(names - {""})}
     units = NAMELESS | {"key": "units", "of": "units"}
     points = [NAMELESS | {"key": key, "type": "list", "of": f"physical_{key}_point", "omitted": "1"} for key in ("curve", "profile")]
+    points.append(NAMELESS | {"key": "contact", "of": "physical_contact", "omitted": "1"})
     points.append(NAMELESS | {"key": "profile_approach_m", "type": "number", "null": "as in `solve`", "omitted": "1"})
     said["record_physical"] = [units, *map(changed, result)]
     said["physical"] = [NAMELESS | {"key": "input", "of": "physical_input"}, *said["record_physical"], *points]

@@ -29,6 +29,11 @@ offers 'values with parameters' 'lennard-jones mie: morse:' pulloff solve --law 
 offers 'values of a list' 'curve diagnostics hysteresis preload profile theories' pulloff solve --want ''
 offers 'a value that is no number' inf pulloff solve --outer-radius ''
 offers 'keys' 'mie-m mie-n modulus-pa morse-a' pulloff follow --key m
+offers 'values of a closed form' 'lennard-jones mie: morse:' pulloff theory jkr --law ''
+offers 'values of an option of a series' 'lennard-jones mie: morse:' pulloff follow --law ''
+offers 'suites' 'extreme' pulloff bless --suite ex
+offers 'a value in SI units' inf pulloff solve --modulus-pa ''
+offers 'cases after an option without a value' 'fig14 fig14_any' pulloff run --fresh fig14
 offers 'cases' smoke pulloff plan smo
 offers 'closed forms' 'kesari-lew' pulloff theory ke
 mkdir a-folder

@@ -8,10 +8,15 @@ _pulloff_names() { "$1" ${2:+"$2"} --help 2>/dev/null | sed -n 's/^  \([a-z][a-z
 # _pulloff_options PROGRAM VERB: prints the options that the help lists on lines "  --NAME VALUE   text".
 _pulloff_options() { "$1" "$2" --help 2>/dev/null | sed -n '/^  -/{s/^  //; s/   *.*//; p;}' | grep -o -e '--[a-z][a-z0-9-]*'; }
 
-# _pulloff_values PROGRAM VERB OPTION: prints the words that the message lists with which the program refuses the value "?".
+# _pulloff_values PROGRAM VERB OPTION: prints the words that the message lists with which the program refuses the value "?";
+# that of another verb where this one refuses something else first.
 _pulloff_values() {
-  "$1" "$2" "$3" '?' 2>&1 </dev/null |
-    sed -n 's/;.*//; s/.*: expected //; s/^\(one\|any\) of //; s/or in SI units //; s/, or \| or \|, /\n/gp' | sed 's/:.*/:/' | grep -x '[a-z][a-z0-9-]*:\?'
+  local verb
+  for verb in "$2" solve 'solve --from-physical' list; do
+    # shellcheck disable=SC2086 # words
+    "$1" $verb "$3" '?' 2>&1 </dev/null
+  done | sed "/^pulloff: \($3 is\|no theory is named\|no case belongs to the suite\) ?: expected /!d; s///; s/;.*//
+    s/^\(one\|any\) of //; s/or in SI units //; s/, or \| or \|, /\n/g" | sed 's/:.*/:/' | grep -x '[a-z][a-z0-9-]*:\?' | sort -u
 }
 
 # The lengths that --from-physical takes in metres, as --NAME-m.
