@@ -226,18 +226,20 @@ END_TEST
  * is in approach far outside that of the law of the paper; its feedback is small at every gap, so
  * that a trace could begin behind its minimum. */
 START_TEST(trace_begins_outside_a_law_of_long_range) {
-  double force[2];
+  double force[2], bound = 0.0;
   for (int k = 0; k < 2; ++k) {
     po_request request = request_of(k ? 0.2 : 4.0, 0.0, 0.0, 100.0);
     request.scene.outer_radius = INFINITY;
+    request.mesh = po_mesh_default();
     ck_assert(po_law_set(&request.scene.law, k ? "morse:1" : "morse:0.05"));
     po_result o;
     ck_assert_int_eq(po_observe(&request, &o), PO_OK);
     ck_assert_int_eq(o.status, PO_OK);
     force[k] = o.pull_off.force;
+    bound += o.pull_off.force_error;
     po_result_clear(&o);
   }
-  ck_assert_double_eq_tol(force[0], force[1], 1e-6);
+  ck_assert_double_le(fabs(force[0] - force[1]), bound);
 }
 END_TEST
 

@@ -210,6 +210,15 @@ START_TEST(estimates_agree_with_their_formulas) {
 }
 END_TEST
 
+/* The JKR sphere has one minimum, of load -3/2. */
+START_TEST(last_minimum_of_a_smooth_sphere) {
+  const po_scene scene = {2.385, 0.0, 0.0, 83.0, INFINITY};
+  const double last = po_guduru_last_minimum(&scene, -1.4, 0.0);
+  ck_assert_double_eq_tol(po_guduru_at(&scene, last).load, -1.5, 1e-13);
+  ck_assert_double_eq(po_guduru_last_minimum(&scene, -1.6, 0.0), 0.0);
+}
+END_TEST
+
 START_TEST(outside_the_domain_the_result_is_nan) {
   const po_scene rigid = {0.0, 1.0, 20.0, 100.0, INFINITY};
   ck_assert(isnan(po_guduru_pull_off(&rigid).load));
@@ -267,6 +276,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, rigid_wavy_sphere_tends_to_bradley);
   tcase_add_test(tests, rigid_pull_off_is_within_its_limits);
   tcase_add_loop_test(tests, estimates_agree_with_their_formulas, 0, SCENE_COUNT);
+  tcase_add_test(tests, last_minimum_of_a_smooth_sphere);
   tcase_add_test(tests, outside_the_domain_the_result_is_nan);
 }
 
