@@ -36,7 +36,8 @@ def read_detectors(path):
         detectors = tomllib.load(stream)["detector"]
     for detector in detectors:
         ways = sum(key in detector for key in ("verify", "program", "script"))
-        if detector.get("kind") not in KINDS or ways != 1 or not {"name", "title"} <= set(detector):
+        if detector.get("kind") not in KINDS or ways != 1 or not {"name", "title"} <= set(detector) or \
+                "verify" in detector and "only" in detector:
             raise Stale(f"{path}: {detector.get('name', 'a detector')} is not as tests/mutation/README.md says")
     return detectors
 
@@ -53,7 +54,8 @@ def command(detector, program, place):
     if "script" in detector:
         script = os.path.join(SOURCE, "tests", detector["script"])
         if script.endswith(".py"):
-            return ["/usr/bin/python3", "-m", "pytest", "-q", "-p", "no:cacheprovider", script, "--program", program]
+            only = ["-k", " or ".join(detector["only"])] if "only" in detector else []
+            return ["/usr/bin/python3", "-m", "pytest", "-q", "-p", "no:cacheprovider", *only, script, "--program", program]
         return ["sh", script, program]
     return [program]
 
@@ -108,6 +110,8 @@ def run(detector, program, place, limit=FIRST_LIMIT):
     """Runs a detector on a program with at most `limit` seconds of processor time. Returns a cell of the matrix; `by`
     is empty if it passed."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", PULLOFF_DATA=SOURCE)
+    if "only" in detector:
+        environment["RUN_TESTS"] = " ".join(detector["only"])
     if "script" in detector:
         del environment["PULLOFF_DATA"]  # scripts set their own
     log = os.path.join(place, detector["name"] + ".log")
