@@ -154,6 +154,10 @@ class Draw(unittest.TestCase):
         still = set(draw.draw(1, rooms, 120, lambda edit: True))
         self.assertGreater(len(still & set(first)), 100)
 
+    def test_the_list_of_the_project_fits_the_source(self):
+        possible = {edits.key_of(edit) for room in self.rooms.values() for edit in room}
+        self.assertLessEqual(set(edits.read_judged(os.path.join(HERE, "equivalents.toml"))), possible)
+
 
 class Judged(unittest.TestCase):
     def read(self, text):
@@ -161,9 +165,6 @@ class Judged(unittest.TestCase):
             stream.write(text)
             stream.flush()
             return edits.read_judged(stream.name)
-
-    def test_the_list_of_the_project_can_be_read(self):
-        edits.read_judged(os.path.join(HERE, "equivalents.toml"))
 
     def test_an_entry_has_a_reason_and_occurs_once(self):
         edit = found()[0]
