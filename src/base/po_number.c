@@ -18,6 +18,14 @@ void po_number_print(double value, char text[PO_NUMBER_LENGTH]) {
   }
 }
 
+const char *po_number_or(const char *format, double value, const char *word,
+                         char text[PO_NUMBER_LENGTH]) {
+  if (!isfinite(value))
+    return word;
+  snprintf(text, PO_NUMBER_LENGTH, format, value);
+  return text;
+}
+
 /* strtod also accepts hexadecimal numbers, "nan", "infinity" and leading blanks; this check refuses
  * them. */
 static bool number_is_decimal(const char *text) {

@@ -12,6 +12,10 @@ enum { PO_NUMBER_LENGTH = 32 }; /* the longest text of a double with 17 digits, 
  * or "nan" for other values. */
 void po_number_print(double value, char text[PO_NUMBER_LENGTH]);
 
+/* Returned: in `text`, a number in a format of printf; `word` if it is not finite. */
+const char *po_number_or(const char *format, double value, const char *word,
+                         char text[PO_NUMBER_LENGTH]);
+
 /* Parses a decimal number. The complete text must be a number that is finite as a double; "inf",
  * "nan", hexadecimal numbers, spaces, trailing text and underflow are refused. Returned: whether
  * `text` is such a number; only then *value is set. */

@@ -49,3 +49,8 @@ size_t po_order_last_up_to(const double *numbers, size_t count, double x) {
   }
   return low;
 }
+
+int po_order_ascending(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}

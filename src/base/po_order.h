@@ -22,6 +22,9 @@ typedef struct {
 po_status po_order_find_repeat(const void *items, size_t count, size_t size, po_comparison *compare,
                                void *context, po_repeat *repeat);
 
+/* Compares two numbers, of type double: the function of qsort for ascending order. */
+int po_order_ascending(const void *a, const void *b);
+
 /* Returned: the index of the last of `count` ascending numbers that is not above x; 0 if all are
  * above it. Given: count >= 1. */
 size_t po_order_last_up_to(const double *numbers, size_t count, double x);

@@ -6,6 +6,7 @@
 #include "po_environment.h"
 #include "po_memory.h"
 #include "po_options.h"
+#include "po_order.h"
 #include "po_pins.h"
 #include "po_plan.h"
 #include "po_print.h"
@@ -35,11 +36,6 @@ typedef struct {
   double together; /* bytes of as many solves at the same time as there are processors */
 } needs;
 
-static int descending(const void *left, const void *right) {
-  const double a = *(const double *)left, b = *(const double *)right;
-  return (a < b) - (a > b);
-}
-
 static po_status find_needs(const po_plan *plan, needs *found) {
   const size_t count = plan->kase->point_count, cores = (size_t)po_environment_cores();
   double *bytes = po_allocate(count, sizeof *bytes);
@@ -55,9 +51,9 @@ static po_status find_needs(const po_plan *plan, needs *found) {
       found->point = i;
     }
   }
-  qsort(bytes, count, sizeof *bytes, descending);
-  for (size_t i = 0; i < count && i < cores; ++i)
-    found->together += bytes[i];
+  qsort(bytes, count, sizeof *bytes, po_order_ascending);
+  for (size_t i = 1; i <= count && i <= cores; ++i)
+    found->together += bytes[count - i];
   free(bytes);
   return PO_OK;
 }

@@ -5,6 +5,7 @@
 
 #include "po_input.h"
 #include "po_memory.h"
+#include "po_order.h"
 #include "po_plot_scene.h"
 #include "po_session.h"
 #include "po_solve_line.h"
@@ -83,11 +84,6 @@ static bool is_map(const po_case *kase, po_key keys[2]) {
   return count == 2;
 }
 
-static int by_value(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* Values that differ by their rounding, because they are computed from other keys, are the same. */
 static bool is_above(double a, double b) {
   return a - b > 1e-12 * fabs(b);
@@ -101,7 +97,7 @@ static size_t values_of(const po_case *kase, po_key key, double *value) {
     if (isfinite(here))
       value[count++] = here;
   }
-  qsort(value, count, sizeof *value, by_value);
+  qsort(value, count, sizeof *value, po_order_ascending);
   size_t different = 0;
   for (size_t i = 0; i < count; ++i)
     if (different == 0 || is_above(value[i], value[different - 1]))

@@ -48,15 +48,6 @@ static const char *held_of(po_control control, const units *u, char held[64]) {
   return held;
 }
 
-/* A finite number, or `word`. */
-static const char *finite_or(double value, const char *word, char text[32]) {
-  if (isfinite(value))
-    snprintf(text, 32, "%.8g", value);
-  else
-    snprintf(text, 32, "%s", word);
-  return text;
-}
-
 static void print_staircase(const char *theory, const po_staircase *s, const units *u) {
   char held[64];
   printf("%s%s: pull-off force against preload%s\n%14s %14s %-9s %14s %16s %8s %16s %14s %8s\n",
@@ -68,14 +59,16 @@ static void print_staircase(const char *theory, const po_staircase *s, const uni
     const po_cycle *cycle = &step->cycle[0];
     const double end = po_held(s->control, step->until.approach, step->until.load) *
                        (s->control == PO_LOAD_CONTROL ? u->load : u->length);
-    char from[32], until[32], error[16], lost[32], lost_error[16];
+    char from[PO_NUMBER_LENGTH], until[PO_NUMBER_LENGTH], lost[PO_NUMBER_LENGTH];
+    char error[16], lost_error[16];
     printf("%14s %14.8g %-9s %14s %16.10g %8s %16.10g %14s %8s\n",
-           finite_or(step->preload.approach * u->length, "contact", from),
+           po_number_or("%.8g", step->preload.approach * u->length, "contact", from),
            step->preload.load * u->load, step->jumped ? "jump" : "minimum",
-           finite_or(step->open ? (double)NAN : end, "open", until), -step->pull_off.load * u->load,
+           po_number_or("%.8g", step->open ? (double)NAN : end, "open", until),
+           -step->pull_off.load * u->load,
            po_print_error(step->pull_off_error.load * u->load, error),
            step->pull_off.approach * u->length,
-           finite_or(cycle->loss.energy * u->energy, "boundless", lost),
+           po_number_or("%.8g", cycle->loss.energy * u->energy, "boundless", lost),
            po_print_error(cycle->energy_error * u->energy, lost_error));
   }
 }
@@ -112,13 +105,15 @@ static void print_loop(const po_loop *loop, const units *u) {
     const po_jump *jump = &loop->jumps[k];
     po_label label;
     po_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
-    char from[32], to[32], lost[32];
+    char from[PO_NUMBER_LENGTH], to[PO_NUMBER_LENGTH], lost[PO_NUMBER_LENGTH];
     printf("%-5s%-10s ", label, jump->loading ? "loading" : "unloading");
     if (spring)
       printf("%14.8g ", po_held(loop->control, jump->before.approach, jump->before.load) * length);
-    printf("%14s %14s %14.8g %14.8g %12s", finite_or(jump->before.approach * length, "apart", from),
-           finite_or(jump->after.approach * length, "apart", to), jump->before.load * load,
-           jump->after.load * load, finite_or(jump->energy_lost * u->energy, "boundless", lost));
+    printf("%14s %14s %14.8g %14.8g %12s",
+           po_number_or("%.8g", jump->before.approach * length, "apart", from),
+           po_number_or("%.8g", jump->after.approach * length, "apart", to),
+           jump->before.load * load, jump->after.load * load,
+           po_number_or("%.8g", jump->energy_lost * u->energy, "boundless", lost));
     if (isfinite(jump->energy_lost_error))
       printf(" %8s", po_print_error(jump->energy_lost_error * u->energy, error));
     printf("\n");

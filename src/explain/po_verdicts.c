@@ -6,36 +6,24 @@
 #include <string.h>
 
 #include "po_memory.h"
+#include "po_order.h"
 #include "po_text.h"
-
-static void number_or_dash(double value, int digits, char text[32]) {
-  if (isfinite(value))
-    snprintf(text, 32, "%.*g", digits, value);
-  else
-    strcpy(text, "-");
-}
-
-static void ratio_or_dash(double value, char text[24]) {
-  if (isfinite(value))
-    snprintf(text, 24, value < 1e5 ? "%.3f" : "%.2e", value);
-  else
-    strcpy(text, "-");
-}
 
 /* Adds the line of a check. A curve is not a single number; its line shows the largest distance
  * from the reference. */
 static void table_line(const po_case_run *run, const po_finding *finding, po_text *text) {
   const po_check_result *item = finding->item;
-  char obtained[32], expected[32], ratio[24];
+  char obtained[PO_NUMBER_LENGTH], expected[PO_NUMBER_LENGTH], ratio[PO_NUMBER_LENGTH];
   const bool curve = item->check->quantity == PO_CURVE;
   const bool is_told = !finding->plain && item->note[0];
-  number_or_dash(curve ? item->error : item->obtained, 9, obtained);
-  number_or_dash(curve && isfinite(item->error) ? 0 : item->expected, 9, expected);
-  ratio_or_dash(item->ratio, ratio);
-  po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->name,
-              item->quantity, finding->label ? finding->label : "-", obtained, expected, ratio,
-              po_ledger_name(item->ledger), po_verdict_name(item->verdict), is_told ? ": " : "",
-              is_told ? item->note : "");
+  po_text_add(
+      text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->name, item->quantity,
+      finding->label ? finding->label : "-",
+      po_number_or("%.9g", curve ? item->error : item->obtained, "-", obtained),
+      po_number_or("%.9g", curve && isfinite(item->error) ? 0 : item->expected, "-", expected),
+      po_number_or(item->ratio < 1e5 ? "%.3f" : "%.2e", item->ratio, "-", ratio),
+      po_ledger_name(item->ledger), po_verdict_name(item->verdict), is_told ? ": " : "",
+      is_told ? item->note : "");
 }
 
 /* Adds the pull-off of each point in newton and metre, if the scene is given in SI units. */
@@ -99,19 +87,18 @@ typedef struct {
 
 static void name_finding(const po_case_run *run, const po_finding *finding, named *test) {
   const po_check_result *item = finding->item;
-  char obtained[32], expected[32], error[32];
+  char obtained[PO_NUMBER_LENGTH], expected[PO_NUMBER_LENGTH], error[PO_NUMBER_LENGTH];
   test->what = item ? "" : "solve/";
   test->id = item ? item->id : finding->label;
   if (!item) {
     snprintf(test->words, sizeof test->words, "%s", run->points[finding->point].result.reason);
     return;
   }
-  number_or_dash(item->obtained, 17, obtained);
-  number_or_dash(item->expected, 17, expected);
-  number_or_dash(item->error, 6, error);
   snprintf(test->words, sizeof test->words,
            "%s: obtained %s, expected %s, error %s, tolerance %s %s%s%s",
-           po_verdict_name(item->verdict), obtained, expected, error, item->check->tolerance_text,
+           po_verdict_name(item->verdict), po_number_or("%.17g", item->obtained, "-", obtained),
+           po_number_or("%.17g", item->expected, "-", expected),
+           po_number_or("%.6g", item->error, "-", error), item->check->tolerance_text,
            item->check->kind_text, item->note[0] ? "; " : "", item->note);
 }
 
@@ -206,11 +193,6 @@ static double cost(const po_work *work, int what) {
   return what == 0 ? work->seconds : what == 1 ? (double)work->points : (double)work->nodes;
 }
 
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* Returned: the quantile by the nearest rank: the least value that a fraction `part` of the values
  * does not exceed. */
 static double quantile(const double *sorted, size_t count, double part) {
@@ -226,7 +208,7 @@ static void add_costs(const po_case_run *run, double *space, po_text *text) {
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
       if (run->points[i].asked)
         space[count++] = cost(&run->points[i].result.work, what);
-    qsort(space, count, sizeof *space, ascending);
+    qsort(space, count, sizeof *space, po_order_ascending);
     po_text_add(text, "%-20s %9.4g %9.4g %9.4g\n", NAMES[what], quantile(space, count, 0.5),
                 quantile(space, count, 0.95), space[count - 1]);
   }

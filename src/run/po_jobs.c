@@ -7,6 +7,7 @@
 #include "po_job.h"
 #include "po_memory.h"
 #include "po_observe.h"
+#include "po_order.h"
 #include "po_series.h"
 #include "po_watch.h"
 
@@ -86,11 +87,6 @@ po_job *po_jobs_list(const po_case_run *runs, size_t count, size_t *shared, size
  * a tenth and a quarter of a second differ by 1.6 % (median), those of shorter ones by 3 to 6 %. */
 static const double ENOUGH = 0.1;
 
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 double po_times_median(const po_round *rounds, unsigned count) {
   double sorted[1000]; /* the greatest value of `repeats` */
   unsigned known = 0;
@@ -99,7 +95,7 @@ double po_times_median(const po_round *rounds, unsigned count) {
       sorted[known++] = rounds[i].seconds;
   if (known == 0)
     return (double)NAN;
-  qsort(sorted, known, sizeof *sorted, ascending);
+  qsort(sorted, known, sizeof *sorted, po_order_ascending);
   return known % 2 ? sorted[known / 2] : (sorted[known / 2 - 1] + sorted[known / 2]) / 2;
 }
 
