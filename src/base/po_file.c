@@ -3,7 +3,6 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -167,14 +166,27 @@ bool po_path_is_same(const char *a, const char *b) {
   return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
-char *po_path_join(const char *folder, const char *name) {
-  if (name[0] == '/' || folder[0] == '\0')
-    return po_copy_text(name);
-  const size_t length = strlen(folder) + strlen(name) + 2;
-  char *path = po_resize(NULL, length, 1);
-  if (path)
-    snprintf(path, length, "%s%s%s", folder, folder[strlen(folder) - 1] == '/' ? "" : "/", name);
+po_file_path po_path_join(const char *folder, const char *name) {
+  const size_t length = name[0] == '/' ? 0 : strlen(folder);
+  const bool slash = length && folder[length - 1] != '/';
+  po_file_path path;
+  snprintf(path.text, sizeof path.text, "%.*s%s%s", (int)length, folder, slash ? "/" : "", name);
   return path;
+}
+
+po_file_path po_program_find(const char *name) {
+  po_file_path path = po_path_join("", name);
+  const bool has_slash = strchr(name, '/');
+  const char *rest = has_slash ? NULL : getenv("PATH");
+  if (has_slash && access(name, X_OK) == 0)
+    return path;
+  for (size_t length; rest && *rest; rest += length + (rest[length] == ':')) {
+    length = strcspn(rest, ":");
+    snprintf(path.text, sizeof path.text, "%.*s/%s", (int)length, rest, name);
+    if (access(path.text, X_OK) == 0)
+      return path;
+  }
+  return (po_file_path){""};
 }
 
 static int name_order(const void *a, const void *b) {

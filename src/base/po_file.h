@@ -3,6 +3,7 @@
 #ifndef PO_FILE_H
 #define PO_FILE_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -33,9 +34,18 @@ bool po_path_exists(const char *path);
 /* Returned: whether two paths refer to the same existing file. */
 bool po_path_is_same(const char *a, const char *b);
 
-/* Returned: folder/name, or a copy of name if it is absolute or the folder is "", to be freed; NULL
- * if memory runs out. */
-char *po_path_join(const char *folder, const char *name);
+/* A path. One that is too long for the system is cut, and is then still too long for it: a file of
+ * this path cannot be opened. */
+typedef struct {
+  char text[PATH_MAX + 2];
+} po_file_path;
+
+/* Returned: folder/name, or name if it is absolute or the folder is "". */
+po_file_path po_path_join(const char *folder, const char *name);
+
+/* Returned: the path of a program that can be executed: `name` if it has a slash, else in a folder
+ * of PATH; "" if there is none. */
+po_file_path po_program_find(const char *name);
 
 /* Lists the names in a folder that end in `ending`, in byte order; hidden files are left out.
  * Returned: *names, *count of them, to be freed with po_names_free. Status: PO_CANNOT_READ,

@@ -45,13 +45,9 @@ static po_status add(po_catalog *catalog, const po_catalog *other, po_case *kase
 /* Reads a file of the folder of cases. */
 static po_status read_built_in(const char *folder, const char *name, po_catalog *catalog) {
   po_case *kase = NULL;
-  char *path = po_path_join(folder, name), *shown = po_path_join("cases", name);
-  po_status status = path && shown ? po_case_read(path, shown, &kase) : PO_NO_MEMORY;
-  if (!status)
-    status = add(catalog, NULL, kase);
-  free(path);
-  free(shown);
-  return status;
+  const po_file_path path = po_path_join(folder, name), shown = po_path_join("cases", name);
+  const po_status status = po_case_read(path.text, shown.text, &kase);
+  return status ? status : add(catalog, NULL, kase);
 }
 
 /* Reads all cases of the folder. If `strict` is false, files that cannot be read are skipped. */
@@ -75,10 +71,8 @@ static bool has_ending(const char *name) {
 static bool is_in_folder(const char *folder, const char *path) {
   const char *slash = strrchr(path, '/');
   const char *name = slash ? slash + 1 : path;
-  char *there = po_path_join(folder, name);
-  const bool found = there && name[0] != '.' && has_ending(name) && po_path_is_same(path, there);
-  free(there);
-  return found;
+  return name[0] != '.' && has_ending(name) &&
+         po_path_is_same(path, po_path_join(folder, name).text);
 }
 
 /* Marks a case as a file outside the folder of cases. Status: PO_NO_MEMORY. */
@@ -222,15 +216,14 @@ po_status po_catalog_open(const char *data_folder, char *const *names, size_t na
   bool strict = name_count == 0;
   for (size_t i = 0; i < name_count; ++i)
     strict = strict || !is_path(names[i]);
-  char *folder = po_path_join(data_folder, "cases");
-  po_status status = folder ? read_folder(folder, strict, &all) : PO_NO_MEMORY;
+  const po_file_path folder = po_path_join(data_folder, "cases");
+  po_status status = read_folder(folder.text, strict, &all);
   if (!status && name_count == 0)
     status = take_suites(&all, suites, catalog);
   for (size_t i = 0; !status && i < name_count; ++i)
-    status = is_path(names[i]) ? read_given(folder, &all, names[i], catalog)
+    status = is_path(names[i]) ? read_given(folder.text, &all, names[i], catalog)
                                : move(&all, names[i], catalog);
   po_catalog_close(&all);
-  free(folder);
   if (status)
     po_catalog_close(catalog);
   return status;

@@ -148,7 +148,8 @@ static void explain_no_comparison(po_check_result *item, const po_compare_input 
     snprintf(item->note, size, "result and reference have no common range");
   else if (item->verdict == PO_MISSING_REFERENCE && reference->type == PO_REFERENCE_PINS)
     snprintf(item->note, size, "%s %.150s",
-             po_pins_exist(reference) ? "not pinned in" : "there is no file", reference->shown);
+             po_pins_exist(reference) ? "not pinned in" : "there is no file",
+             reference->shown.text);
   else if (item->verdict == PO_MISSING_REFERENCE) {
     po_text nearest = {0};
     const bool found = reference->type == PO_REFERENCE_TABLE &&

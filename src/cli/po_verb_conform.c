@@ -1,5 +1,4 @@
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -7,7 +6,6 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_live.h"
-#include "po_memory.h"
 #include "po_options.h"
 #include "po_print.h"
 #include "po_verbs.h"
@@ -36,13 +34,11 @@ static const po_option OPTIONS[] = {PO_TEXT("knob", conform_line, knob, "a value
                                     {0}};
 
 /* Returned: the length of the part of a path that exists. */
-static size_t existing_part(const char *path) {
-  char *part = po_copy_text(path), *slash = NULL;
-  while (part && !po_path_exists(part) && (slash = strrchr(part, '/')))
+static size_t existing_part(po_file_path path) {
+  char *part = path.text, *slash = NULL;
+  while (!po_path_exists(part) && (slash = strrchr(part, '/')))
     *slash = '\0';
-  const size_t length = !part ? strlen(path) : po_path_exists(part) ? strlen(part) : 0;
-  free(part);
-  return length;
+  return po_path_exists(part) ? strlen(part) : 0;
 }
 
 /* Removes the empty folders at the end of a path, except its first `kept` characters. */
@@ -64,19 +60,16 @@ int po_verb_conform(int argc, char **argv) {
   if (!status)
     status = po_solver_read(argv[optind], line.knob, &solver);
   size_t wrong = 0;
-  char *folder = status ? NULL : po_solver_folder(solver, line.output);
-  if (!status && !folder)
-    status = PO_NO_MEMORY;
   if (!status) {
+    po_file_path folder = po_solver_folder(solver, line.output);
     const size_t existing = existing_part(folder);
     po_print_solver(solver, stdout);
-    status = po_conform(solver, po_environment_data(), folder, po_interrupt_listen(), &wrong);
-    remove_empty(folder, existing);
+    status = po_conform(solver, po_environment_data(), folder.text, po_interrupt_listen(), &wrong);
+    remove_empty(folder.text, existing);
   }
   if (!status && wrong)
     printf("%zu %s wrong\n", wrong, wrong == 1 ? "finding is" : "findings are");
   const int code = status ? po_options_end(status) : wrong ? PO_EXIT_OUTSIDE : PO_EXIT_OK;
   po_solver_destroy(solver);
-  free(folder);
   return code;
 }

@@ -31,22 +31,6 @@ static const po_option OPTIONS[] = {PO_TEXT("run", report_line, run, "the name o
                                     PO_FLAG("fresh", report_line, fresh),
                                     {0}};
 
-/* Whether a program can be started, by its path or from a folder in PATH. */
-static bool is_program(const char *name) {
-  if (strchr(name, '/'))
-    return access(name, X_OK) == 0;
-  const char *path = getenv("PATH");
-  while (path && *path) {
-    char file[4096];
-    const size_t length = strcspn(path, ":");
-    snprintf(file, sizeof file, "%.*s/%s", (int)length, path, name);
-    if (access(file, X_OK) == 0)
-      return true;
-    path += length + (path[length] == ':');
-  }
-  return false;
-}
-
 static const char *python(void) {
   const char *chosen = getenv("PULLOFF_PYTHON");
   return chosen && *chosen ? chosen : PULLOFF_PYTHON;
@@ -60,10 +44,10 @@ static po_status check_means(const char *script, const char *run) {
     return po_fail(PO_CANNOT_READ,
                    "%s does not exist: expected the records of a run (see pulloff run --help)",
                    run);
-  if (!is_program(python()))
+  if (!*po_program_find(python()).text)
     return po_fail(PO_MISSING_TOOL, "%s was not found: expected Python, which writes the report",
                    python());
-  if (!is_program("gnuplot"))
+  if (!*po_program_find("gnuplot").text)
     return po_fail(PO_MISSING_TOOL,
                    "gnuplot was not found: expected it in PATH, to draw the figures");
   return PO_OK;
@@ -98,11 +82,9 @@ int po_verb_report(int argc, char **argv) {
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
-  char *script = po_path_join(po_environment_data(), "reports/make_report.py");
-  status = script ? check_means(script, line.run) : PO_NO_MEMORY;
+  const po_file_path script = po_path_join(po_environment_data(), "reports/make_report.py");
+  status = check_means(script.text, line.run);
   if (!status)
     status = po_folder_make(line.output);
-  const int code = status ? po_options_end(status) : run_script(script, &line);
-  free(script);
-  return code;
+  return status ? po_options_end(status) : run_script(script.text, &line);
 }

@@ -47,12 +47,10 @@ static po_status print(po_plot_picture *picture) {
 }
 
 po_status po_plot_show(po_plot_picture picture, const char *file) {
-  char *folder = po_path_join(po_environment_data(), "reports/figures");
+  const po_file_path folder = po_path_join(po_environment_data(), "reports/figures");
   const po_status status = picture.status ? picture.status
-                           : !folder      ? PO_NO_MEMORY
-                           : file         ? po_plot_draw(&picture, folder, file)
+                           : file         ? po_plot_draw(&picture, folder.text, file)
                                           : print(&picture);
-  free(folder);
   po_plot_clear(&picture);
   return status;
 }

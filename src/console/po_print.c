@@ -15,7 +15,7 @@ void po_print_solver(const po_solver *solver, FILE *stream) {
     po_text_add(&command, "%s", i ? " " : "");
     po_text_add_word(&command, solver->command[i]);
   }
-  fprintf(stream, "solver   %s (%s)", solver->name, solver->path);
+  fprintf(stream, "solver   %s (%s)", solver->name, solver->path.text);
   if (solver->knob)
     fprintf(stream, ", %s %s", solver->file->knob->name, solver->knob);
   fprintf(stream, "\ncommand  %s\n", po_text_string(&command));

@@ -136,12 +136,9 @@ static po_status add_named(po_session *session, const char *text) {
   if (!at)
     return add_manifest(session, text);
   po_solver *solver = NULL;
-  char *path = po_copy_text(text);
-  if (!path)
-    return PO_NO_MEMORY;
-  path[at - text] = '\0';
-  const po_status status = po_solver_read(path, at + 1, &solver);
-  free(path);
+  po_file_path path;
+  snprintf(path.text, sizeof path.text, "%.*s", (int)(at - text), text);
+  const po_status status = po_solver_read(path.text, at + 1, &solver);
   return status ? status : add_solver(session, solver);
 }
 
@@ -232,18 +229,17 @@ static po_status prepare_solver(po_session *session, size_t s) {
   const size_t count = session->catalog.count;
   const po_run_options *options = &session->options;
   po_case_run *runs = session->runs + s * count;
-  char *folder = session->solvers[s] ? po_solver_folder(session->solvers[s], options->output)
-                                     : po_copy_text(options->output);
-  po_status status = folder ? PO_OK : PO_NO_MEMORY;
+  const po_file_path folder = session->solvers[s]
+                                  ? po_solver_folder(session->solvers[s], options->output)
+                                  : po_path_join("", options->output);
+  po_status status = PO_OK;
   for (size_t i = 0; !status && i < count; ++i) {
-    status = po_case_run_place(&runs[i], folder);
-    if (!status)
-      status = po_record_check_owner(&runs[i]);
+    po_case_run_place(&runs[i], folder.text);
+    status = po_record_check_owner(&runs[i]);
   }
   if (!status && session->shard.count)
-    status =
-        po_shard_write(runs, count, session->shard, session->time_limit, options->jobs, folder);
-  free(folder);
+    status = po_shard_write(runs, count, session->shard, session->time_limit, options->jobs,
+                            folder.text);
   return status;
 }
 

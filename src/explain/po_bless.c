@@ -288,15 +288,11 @@ static po_status write_table(const char *path, po_text *header, po_text *rows) {
   po_text text = {0};
   char digest[PO_DIGEST_LENGTH];
   po_csv_seal(header, rows, &text, digest);
-  char *folder = text.failed ? NULL : po_copy_text(path);
-  po_status status = folder ? PO_OK : PO_NO_MEMORY;
-  if (folder)
-    *strrchr(folder, '/') = '\0';
-  if (!status)
-    status = po_folder_make(folder);
+  po_file_path folder = po_path_join("", path);
+  *strrchr(folder.text, '/') = '\0';
+  po_status status = text.failed ? PO_NO_MEMORY : po_folder_make(folder.text);
   if (!status)
     status = po_file_write(path, text.data, text.length);
-  free(folder);
   po_text_clear(header);
   po_text_clear(rows);
   po_text_clear(&text);
@@ -310,7 +306,7 @@ static po_status write_pins(const po_case_run *run, const po_reference *old, con
   add_oracles(run->plan, &header);
   add_shared_keys(run->plan->kase, list, &header);
   add_rows(run->plan->kase, list, &rows);
-  return write_table(old->path, &header, &rows);
+  return write_table(old->path.text, &header, &rows);
 }
 
 static bool same_oracles(const po_plan *plan, const po_reference *old) {
@@ -335,10 +331,10 @@ static po_status bless_pins(const po_case_run *run, const char *who, const char 
   if (!status && changed)
     status = write_pins(run, old, &list, who, reason);
   if (!status && changed)
-    po_text_add(report, "%s: %zu pins, %zu moved, %zu new, %zu dropped\n", old->shown, list.count,
-                found.moved, found.new, found.dropped);
+    po_text_add(report, "%s: %zu pins, %zu moved, %zu new, %zu dropped\n", old->shown.text,
+                list.count, found.moved, found.new, found.dropped);
   else if (!status)
-    po_text_add(report, "%s: %zu pins, all as they were; nothing is written\n", old->shown,
+    po_text_add(report, "%s: %zu pins, all as they were; nothing is written\n", old->shown.text,
                 list.count);
   free(list.items);
   return status;
@@ -376,10 +372,10 @@ static po_status bless_digests(const po_case_run *run, const char *who, const ch
   }
   if (!status && (changed || old.table.row_count != count)) {
     add_headers(run, &old, "digests of the results", who, reason, &header);
-    status = write_table(old.path, &header, &rows);
+    status = write_table(old.path.text, &header, &rows);
   }
   if (!status)
-    po_text_add(report, "%s: %zu digests, %zu new\n", old.shown, count, changed);
+    po_text_add(report, "%s: %zu digests, %zu new\n", old.shown.text, count, changed);
   po_text_clear(&rows);
   po_reference_close(&old);
   return status;

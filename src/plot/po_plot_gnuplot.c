@@ -236,14 +236,13 @@ static po_status run(const po_text *script, po_text *figure) {
 
 /* Appends a file to the script, because gnuplot would search other folders for it. */
 static po_status add_file(po_text *script, const char *folder, const char *name) {
-  char *path = po_path_join(folder, name), *content = NULL;
+  char *content = NULL;
   size_t size = 0;
-  const po_status status = path ? po_file_read(path, &content, &size) : PO_NO_MEMORY;
+  const po_status status = po_file_read(po_path_join(folder, name).text, &content, &size);
   if (!status)
     po_text_add_bytes(script, content, size);
   po_text_add(script, "\n");
   free(content);
-  free(path);
   return status;
 }
 

@@ -63,7 +63,6 @@ void po_case_run_clear(po_case_run *run) {
     po_result_clear(&run->points[i].result);
     po_result_clear(&run->points[i].trace);
   }
-  free(run->folder);
   free(run->points);
   free(run->rounds);
   json_decref(run->environment);
@@ -75,10 +74,9 @@ void po_case_run_clear(po_case_run *run) {
   *run = (po_case_run){0};
 }
 
-po_status po_case_run_place(po_case_run *run, const char *output) {
-  if (!run->folder)
+void po_case_run_place(po_case_run *run, const char *output) {
+  if (!*run->folder.text)
     run->folder = po_path_join(output, run->plan->kase->file->name);
-  return run->folder ? PO_OK : PO_NO_MEMORY;
 }
 
 void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count) {

@@ -40,7 +40,7 @@ typedef struct {
 
 typedef struct {
   po_plan *plan;
-  char *folder; /* of its records and its journal; NULL: see po_case_run_place */
+  po_file_path folder; /* of its records and its journal; "": see po_case_run_place */
   po_point_run *points;
   po_round *rounds; /* of all points */
   size_t asked_count;
@@ -74,8 +74,8 @@ typedef struct {
 po_status po_case_run_create(po_plan *plan, po_case_run *run);
 void po_case_run_clear(po_case_run *run);
 
-/* Sets the folder of the records to OUTPUT/CASE, unless it is set. Status: PO_NO_MEMORY. */
-po_status po_case_run_place(po_case_run *run, const char *output);
+/* Sets the folder of the records to OUTPUT/CASE, unless it is set. */
+void po_case_run_place(po_case_run *run, const char *output);
 
 /* Marks a point as beyond an external solver, which is not asked for it. Given: `why`, the reason.
  */

@@ -43,11 +43,10 @@ static po_status read_line(po_case_run *run, const char *line, size_t length, bo
 }
 
 po_status po_journal_read(po_case_run *run, const char *folder) {
-  char *path = po_path_join(folder, NAME), *bytes = NULL;
+  const po_file_path path = po_path_join(folder, NAME);
+  char *bytes = NULL;
   size_t size = 0;
-  po_status status = path ? PO_OK : PO_NO_MEMORY;
-  if (!status && po_path_exists(path))
-    status = po_file_read(path, &bytes, &size);
+  po_status status = po_path_exists(path.text) ? po_file_read(path.text, &bytes, &size) : PO_OK;
   for (size_t begin = 0; !status && begin < size;) {
     const char *end = memchr(bytes + begin, '\n', size - begin);
     const size_t length = end ? (size_t)(end - bytes) - begin : size - begin;
@@ -55,7 +54,6 @@ po_status po_journal_read(po_case_run *run, const char *folder) {
     begin += length + 1;
   }
   free(bytes);
-  free(path);
   return status;
 }
 
@@ -110,8 +108,8 @@ static po_status append(const char *path, const json_t *entry) {
 }
 
 po_status po_journal_add(const po_case_run *run, size_t point, const char *folder) {
-  char *path = po_path_join(folder, NAME), key[PO_DIGEST_LENGTH];
-  po_status status = path ? po_record_key(run, point, key) : PO_NO_MEMORY;
+  char key[PO_DIGEST_LENGTH];
+  po_status status = po_record_key(run, point, key);
   if (!status)
     status = po_folder_make(folder);
   json_t *object = NULL;
@@ -119,19 +117,16 @@ po_status po_journal_add(const po_case_run *run, size_t point, const char *folde
     status = po_record_entry(run, point, folder, false, &object);
   if (!status) {
     json_t *entry = PO_JSON_OBJECT({"key", po_json_text(key)}, {"point", object});
-    status = append(path, entry);
+    status = append(po_path_join(folder, NAME).text, entry);
     json_decref(entry);
   } else
     json_decref(object);
-  free(path);
   return status;
 }
 
 po_status po_journal_remove(const char *folder) {
-  char *path = po_path_join(folder, NAME);
-  po_status status = path ? PO_OK : PO_NO_MEMORY;
-  if (!status && unlink(path) != 0 && errno != ENOENT)
-    status = po_fail(PO_CANNOT_WRITE, "%s cannot be removed: %s", path, strerror(errno));
-  free(path);
-  return status;
+  const po_file_path path = po_path_join(folder, NAME);
+  if (unlink(path.text) != 0 && errno != ENOENT)
+    return po_fail(PO_CANNOT_WRITE, "%s cannot be removed: %s", path.text, strerror(errno));
+  return PO_OK;
 }

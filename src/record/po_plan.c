@@ -26,7 +26,7 @@ void po_plan_add_solver(const po_plan *plan, po_text *text) {
   if (!solver)
     return;
   po_text_add(text, " --solver ");
-  po_text_add_word(text, solver->path);
+  po_text_add_word(text, solver->path.text);
   if (solver->knob && strchr(solver->name, '@')) {
     po_text_add(text, " --knob ");
     po_text_add_word(text, solver->knob);
@@ -91,26 +91,19 @@ static void decide(po_plan *plan) {
   }
 }
 
-/* Returned: the folder from which a reference of a case is taken, to be freed; NULL without memory.
- * For a case file outside the folder of cases it is that of the file, unless only the data folder
- * has the table. */
-static char *folder_for(const po_case *kase, const char *data_folder, const char *name) {
-  const char *slash = strrchr(kase->path, '/');
+/* Returned: the folder from which a reference of a case is taken. For a case file outside the
+ * folder of cases it is that of the file, unless only the data folder has the table. */
+static po_file_path folder_for(const po_case *kase, const char *data_folder, const char *name) {
+  const po_file_path shared = po_path_join("", data_folder);
   if (!kase->is_own || po_reference_type_of(name) != PO_REFERENCE_TABLE)
-    return po_copy_text(data_folder);
-  char *folder = po_copy_text(slash ? kase->path : "");
-  if (folder && slash)
-    folder[slash - kase->path + 1] = '\0';
-  char *own = folder ? po_path_join(folder, name) : NULL;
-  char *shared = po_path_join(data_folder, name);
-  const bool use_shared = own && shared && !po_path_exists(own) && po_path_exists(shared);
-  const bool made = own && shared;
-  free(own);
-  free(shared);
-  if (made && !use_shared)
-    return folder;
-  free(folder);
-  return made ? po_copy_text(data_folder) : NULL;
+    return shared;
+  po_file_path own = po_path_join("", kase->path);
+  const char *slash = strrchr(own.text, '/');
+  own.text[slash ? slash - own.text + 1 : 0] = '\0';
+  return !po_path_exists(po_path_join(own.text, name).text) &&
+                 po_path_exists(po_path_join(data_folder, name).text)
+             ? shared
+             : own;
 }
 
 /* Opens the reference of a check like po_reference_open. If the check names a stand-in, the table
@@ -119,12 +112,7 @@ static char *folder_for(const po_case *kase, const char *data_folder, const char
 static po_status reference_open_check(const char *data_folder, const po_check *check,
                                       po_reference *reference) {
   *reference = (po_reference){.name = check->reference};
-  char *path = check->stand_in ? po_path_join(data_folder, check->reference) : NULL;
-  if (check->stand_in && !path)
-    return PO_NO_MEMORY;
-  const bool absent = path && !po_path_exists(path);
-  free(path);
-  if (absent) {
+  if (check->stand_in && !po_path_exists(po_path_join(data_folder, check->reference).text)) {
     reference->type = PO_REFERENCE_ABSENT;
     po_digest_bytes("absent", strlen("absent"), reference->digest);
     return PO_OK;
@@ -145,9 +133,8 @@ static po_status open_check(const po_plan *plan, const char *data_folder, const 
   if (check->type == PO_REFERENCE_PINS)
     return po_pins_open(plan->kase, check->reference, plan->solver ? plan->solver->name : NULL,
                         reference);
-  char *folder = folder_for(plan->kase, data_folder, check->reference);
-  po_status status = folder ? reference_open_check(folder, check, reference) : PO_NO_MEMORY;
-  free(folder);
+  const po_file_path folder = folder_for(plan->kase, data_folder, check->reference);
+  po_status status = reference_open_check(folder.text, check, reference);
   if (!status && plan->kase->is_physical && reference->type == PO_REFERENCE_TABLE)
     status = po_reference_use_units(reference, &plan->kase->units);
   return status;

@@ -10,6 +10,8 @@
 #include "po_file.h"
 #include "po_json_digest.h"
 
+static const char RECORD[] = "record.json";
+
 static po_status write_line(const po_case *kase, const po_case_line *line, const char *folder,
                             const volatile sig_atomic_t *stop, json_t **entry) {
   po_text header = {0}, rows = {0}, text = {0}, name = {0};
@@ -24,14 +26,13 @@ static po_status write_line(const po_case *kase, const po_case_line *line, const
               line->theory, po_case_word(kase));
   po_status status = po_case_line_table(kase->file, line, stop, &rows);
   po_csv_seal(&header, &rows, &text, digest);
-  char *path = po_path_join(folder, po_text_string(&name));
-  if (!status && (text.failed || name.failed || !path))
+  if (!status && (text.failed || name.failed))
     status = PO_NO_MEMORY;
   if (!status)
-    status = po_file_write(path, text.data, text.length);
+    status =
+        po_file_write(po_path_join(folder, po_text_string(&name)).text, text.data, text.length);
   po_json_set(entry, "table", po_json_text(po_text_string(&name)));
   po_json_set(entry, "table_sha256", po_json_text(digest));
-  free(path);
   po_text_clear(&header);
   po_text_clear(&rows);
   po_text_clear(&text);
@@ -185,7 +186,7 @@ static json_t *solver_json(const po_case_run *run) {
     return json_null();
   const po_solver_file *file = solver->file;
   return PO_JSON_OBJECT(
-      {"name", po_json_text(solver->name)}, {"manifest", po_json_text(solver->path)},
+      {"name", po_json_text(solver->name)}, {"manifest", po_json_text(solver->path.text)},
       {"knob", po_json_text(file->knob ? file->knob->name : NULL)},
       {"knob_value", po_json_text(solver->knob)},
       {"command", po_json_texts(file->command, file->command_count)},
@@ -237,11 +238,10 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
 po_status po_record_write(po_case_run *run, const char *folder, int jobs,
                           const volatile sig_atomic_t *stop) {
   const bool whole = po_case_run_is_whole(run);
-  char *part = po_path_join(folder, "part.json");
-  char *path = po_path_join(folder, "record.json");
+  const po_file_path part = po_path_join(folder, "part.json"), path = po_path_join(folder, RECORD);
   json_t *points = NULL, *lines = NULL;
   po_text text = {0};
-  po_status status = part && path ? po_folder_make(folder) : PO_NO_MEMORY;
+  po_status status = po_folder_make(folder);
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     if (!run->points[i].asked)
       po_case_run_exclude(run, i, "the run was limited to other points");
@@ -258,12 +258,10 @@ po_status po_record_write(po_case_run *run, const char *folder, int jobs,
     json_decref(lines);
   }
   if (!status)
-    status = po_file_write(whole ? path : part, text.data, text.length);
+    status = po_file_write(whole ? path.text : part.text, text.data, text.length);
   if (!status && whole)
-    unlink(part);
+    unlink(part.text);
   po_text_clear(&text);
-  free(path);
-  free(part);
   return status;
 }
 
@@ -277,13 +275,12 @@ static po_status check_lines(const json_t *lines, const char *folder) {
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < json_array_size(lines); ++i) {
     const json_t *line = json_array_get(lines, i);
-    char *path = po_path_join(folder, po_record_text(line, "table"));
+    const po_file_path path = po_path_join(folder, po_record_text(line, "table"));
     po_csv csv = {0};
-    status = path ? po_csv_read(path, path, &csv) : PO_NO_MEMORY;
+    status = po_csv_read(path.text, path.text, &csv);
     if (!status && strcmp(csv.digest, po_record_text(line, "table_sha256")) != 0)
       status = PO_NOT_FOUND;
     po_csv_clear(&csv);
-    free(path);
   }
   return found_or_not(status);
 }
@@ -317,15 +314,13 @@ static po_status read_record(po_case_run *run, const json_t *record, bool intact
 /* Reads the record in the folder of a case. Returned: *intact, whether it has its checksum;
  * *exists, whether there is a file, which may be no JSON. */
 static po_status load(const char *folder, json_t **record, bool *intact, bool *exists) {
-  char *path = po_path_join(folder, "record.json");
   char *bytes = NULL;
   size_t size = 0;
-  po_status status = path ? po_file_read(path, &bytes, &size) : PO_NO_MEMORY;
+  po_status status = po_file_read(po_path_join(folder, RECORD).text, &bytes, &size);
   *exists = status == PO_OK;
   if (!status)
     status = po_json_parse_checked(bytes, size, record, intact);
   free(bytes);
-  free(path);
   return found_or_not(status);
 }
 
@@ -347,14 +342,14 @@ po_status po_record_check_owner(const po_case_run *run) {
   bool intact, exists;
   if (!kase->is_own)
     return PO_OK;
-  po_status status = load(run->folder, &record, &intact, &exists);
+  po_status status = load(run->folder.text, &record, &intact, &exists);
   const char *owner = po_record_text(record, "file");
   if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
     status = po_fail(
         PO_BAD_INPUT,
         "%s: name is %s: expected another name or another folder for the records, as %s contains "
         "the record of %s",
-        kase->shown, kase->file->name, run->folder, owner);
+        kase->shown, kase->file->name, run->folder.text, owner);
   json_decref(record);
   return status == PO_NOT_FOUND ? PO_OK : status;
 }

@@ -181,13 +181,10 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
   po_json_set(entry, what, json_null());
   if ((profile ? result->profile_count : result->curve_count) == 0)
     return PO_OK;
-  char *path = po_path_join(folder, name);
-  if (!path)
-    return PO_NO_MEMORY;
+  const po_file_path path = po_path_join(folder, name);
   const po_request shown = shown_request(run->plan->kase, point);
-  const po_status status = profile ? po_tables_write_profile(path, &shown, result, digest)
-                                   : po_tables_write_curve(path, &shown, result, digest);
-  free(path);
+  const po_status status = profile ? po_tables_write_profile(path.text, &shown, result, digest)
+                                   : po_tables_write_curve(path.text, &shown, result, digest);
   if (profile)
     po_json_set(entry, "contact", po_json_of(&PO_CONTACT_ROWS, result));
   snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
@@ -315,13 +312,9 @@ static po_status read_table(const json_t *point, bool profile, bool needed, cons
   const char *digest = po_record_text(point, profile ? "profile_sha256" : "curve_sha256");
   if (!*name)
     return needed && result->status == PO_OK ? PO_NOT_FOUND : PO_OK;
-  char *path = po_path_join(folder, name);
-  if (!path)
-    return PO_NO_MEMORY;
-  const po_status status = profile ? po_tables_read_profile(path, digest, result)
-                                   : po_tables_read_curve(path, digest, result);
-  free(path);
-  return status;
+  const po_file_path path = po_path_join(folder, name);
+  return profile ? po_tables_read_profile(path.text, digest, result)
+                 : po_tables_read_curve(path.text, digest, result);
 }
 
 /* Reads the numbers of an entry that has its checksum. */

@@ -2,12 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_file.h"
 #include "po_quote.h"
-#include "po_text.h"
 
 const char *po_work_name(int counter) {
   static const char *const NAMES[PO_WORK_COUNTERS] = {
@@ -38,15 +36,15 @@ void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size
 }
 
 /* Returned: FOLDER/pins/NAME + `ending`, or FOLDER/pins/SOLVER/NAME + `ending`, for a case file in
- * FOLDER; the caller frees it; NULL without memory. */
-static char *path_of(const char *case_path, const char *case_name, const char *solver,
-                     const char *ending) {
-  po_text text = {0};
+ * FOLDER. */
+static po_file_path path_of(const char *case_path, const char *case_name, const char *solver,
+                            const char *ending) {
   const char *slash = strrchr(case_path, '/');
   const int length = slash ? (int)(slash - case_path + 1) : 0;
-  po_text_add(&text, "%.*spins/%s%s%s%s", length, case_path, solver ? solver : "",
-              solver ? "/" : "", case_name, ending);
-  return po_text_take(&text);
+  po_file_path path;
+  snprintf(path.text, sizeof path.text, "%.*spins/%s%s%s%s", length, case_path,
+           solver ? solver : "", solver ? "/" : "", case_name, ending);
+  return path;
 }
 
 /* Checks that the columns of a table of pins are keys of the scene, quantity and value. */
@@ -75,12 +73,12 @@ static po_status open_table(const po_case *kase, const char *solver, const char 
                             po_status (*check)(const po_csv *table), po_reference *pins) {
   pins->path = path_of(kase->path, kase->file->name, solver, ending);
   pins->shown = path_of(kase->shown, kase->file->name, solver, ending);
-  po_status status = pins->path && pins->shown ? PO_OK : PO_NO_MEMORY;
+  po_status status = PO_OK;
   po_digest_bytes("", 0, pins->digest);
-  if (!status && po_path_exists(pins->path)) {
-    status = po_reference_read(pins->path, pins->shown, pins);
+  if (po_path_exists(pins->path.text)) {
+    status = po_reference_read(pins->path.text, pins->shown.text, pins);
     if (!status && pins->ledger != PO_LEDGER_PIN)
-      status = po_fail(PO_CANNOT_READ, "%s: kind is %s: expected pin", pins->shown,
+      status = po_fail(PO_CANNOT_READ, "%s: kind is %s: expected pin", pins->shown.text,
                        po_ledger_name(pins->ledger));
     if (!status)
       status = check(&pins->table);

@@ -125,9 +125,7 @@ po_status po_reference_open(const char *data_folder, const char *name, po_refere
     po_digest_bytes(name, strlen(name), reference->digest);
     return PO_OK;
   }
-  char *path = po_path_join(data_folder, name);
-  po_status status = path ? po_reference_read(path, name, reference) : PO_NO_MEMORY;
-  free(path);
+  po_status status = po_reference_read(po_path_join(data_folder, name).text, name, reference);
   if (!status)
     status = check_selectors(&reference->table);
   if (status)
@@ -208,7 +206,7 @@ static po_status find_special_point(const po_reference *pins, po_quantity quanti
       return status;
   }
   return po_fail(PO_CANNOT_READ, "%s: special point %zu of the %s of a scene is missing",
-                 pins->shown, index + 1, po_quantity_of(quantity)->name);
+                 pins->shown.text, index + 1, po_quantity_of(quantity)->name);
 }
 
 static po_status pins_points(const po_reference *pins, po_quantity quantity,
@@ -220,8 +218,8 @@ static po_status pins_points(const po_reference *pins, po_quantity quantity,
   if (status)
     return status;
   if (!(number >= 0 && number <= (double)pins->table.row_count))
-    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of special points", pins->shown,
-                   name, number);
+    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of special points",
+                   pins->shown.text, name, number);
   po_special_point *list = po_allocate((size_t)number, sizeof *list);
   status = list ? PO_OK : PO_NO_MEMORY;
   for (size_t i = 0; !status && i < (size_t)number; ++i)

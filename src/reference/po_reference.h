@@ -18,6 +18,7 @@
 
 #include "po_check.h"
 #include "po_csv.h"
+#include "po_file.h"
 #include "po_input.h"
 #include "po_request.h"
 #include "po_result.h"
@@ -30,8 +31,8 @@ typedef struct {
   const char *name; /* as in the case file */
   po_ledger ledger;
   po_reference_type type;
-  char *path;                    /* of the file of pins; NULL for other references */
-  char *shown;                   /* name of that file in messages and records */
+  po_file_path path;             /* of the file of pins; "" for other references */
+  po_file_path shown;            /* name of that file in messages and records */
   po_csv table;                  /* if the reference is a table or pins; empty without pins */
   char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name if there is no file */
   char *converted;               /* cells of the table that were in SI units; NULL: none */

@@ -19,34 +19,27 @@ static po_reference_entry *find(const po_reference_list *list, const char *name)
 
 /* Adds folder/name, unless the list already contains it. */
 static po_status add(po_reference_list *list, const char *folder, const char *name, bool listed) {
-  char *whole = po_path_join(folder, name);
-  if (!whole)
-    return PO_NO_MEMORY;
-  if (find(list, whole)) {
-    free(whole);
+  const po_file_path whole = po_path_join(folder, name);
+  if (find(list, whole.text))
     return PO_OK;
-  }
   po_reference_entry *entries = po_resize(list->entries, list->count + 1, sizeof *entries);
-  if (!entries) {
-    free(whole);
+  if (!entries)
     return PO_NO_MEMORY;
-  }
   list->entries = entries;
-  entries[list->count++] = (po_reference_entry){.name = whole, .listed = listed};
-  return PO_OK;
+  po_reference_entry *entry = &entries[list->count++];
+  *entry = (po_reference_entry){.name = po_copy_text(whole.text), .listed = listed};
+  return entry->name ? PO_OK : PO_NO_MEMORY;
 }
 
 static po_status add_listed(const char *data_folder, po_reference_list *list) {
-  char *path = po_path_join(data_folder, INDEX), *text = NULL;
+  char *text = NULL, *rest = NULL;
   size_t size = 0;
-  po_status status = path ? po_file_read(path, &text, &size) : PO_NO_MEMORY;
-  char *rest = NULL;
+  po_status status = po_file_read(po_path_join(data_folder, INDEX).text, &text, &size);
   for (char *line = status ? NULL : strtok_r(text, "\r\n", &rest); !status && line;
        line = strtok_r(NULL, "\r\n", &rest))
     if (line[0] != '#')
       status = add(list, FOLDER, line, true);
   free(text);
-  free(path);
   return status;
 }
 
@@ -54,14 +47,13 @@ static po_status add_listed(const char *data_folder, po_reference_list *list) {
 static po_status add_found(const char *data_folder, const char *folder, po_reference_list *list) {
   char **names = NULL;
   size_t count = 0;
-  char *path = po_path_join(data_folder, folder);
-  po_status status = path ? PO_OK : PO_NO_MEMORY;
-  if (!status && (folder != PUBLISHED || po_path_exists(path)))
-    status = po_folder_list(path, ".csv", &names, &count);
+  const po_file_path path = po_path_join(data_folder, folder);
+  po_status status = PO_OK;
+  if (folder != PUBLISHED || po_path_exists(path.text))
+    status = po_folder_list(path.text, ".csv", &names, &count);
   for (size_t i = 0; !status && i < count; ++i)
     status = add(list, folder, names[i], false);
   po_names_free(names, count);
-  free(path);
   return status;
 }
 

@@ -17,7 +17,7 @@ const char *po_ledger_name(po_ledger ledger) {
 }
 
 const char *po_reference_shown(const po_reference *reference) {
-  return reference->type == PO_REFERENCE_PINS ? reference->shown : reference->name;
+  return reference->type == PO_REFERENCE_PINS ? reference->shown.text : reference->name;
 }
 
 /* Checks that headers are there; the message names all that are not. */
@@ -88,8 +88,6 @@ po_status po_reference_read(const char *path, const char *shown, po_reference *r
 void po_reference_close(po_reference *reference) {
   po_csv_clear(&reference->table);
   free(reference->converted);
-  free(reference->path);
-  free(reference->shown);
   *reference = (po_reference){0};
 }
 

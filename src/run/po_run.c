@@ -141,10 +141,10 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
   po_status status = po_run_check(run, options->stop);
   if (!status &&
       (whole ? strcmp(run->old_key, run->plan->key) != 0 : run->plan->solver != NULL && !run->kept))
-    status = po_record_write(run, run->folder, crew->jobs, options->stop);
+    status = po_record_write(run, run->folder.text, crew->jobs, options->stop);
   run->finished = status == PO_OK;
   if (!status && whole)
-    status = po_journal_remove(run->folder);
+    status = po_journal_remove(run->folder.text);
   if (!status && !(options->brief && crew->progress.live))
     report_finished(crew, run);
   return status;
@@ -181,7 +181,7 @@ static po_status take(void *context, po_case_run *run, size_t point, bool last) 
     return PO_OK;
   run->pending -= !run->points[point].done;
   run->points[point].done = true;
-  return po_journal_add(run, point, run->folder);
+  return po_journal_add(run, point, run->folder.text);
 }
 
 /* Does a job, and finishes the case if nothing of it is left to do. */
@@ -259,7 +259,7 @@ static po_status mark_interleaved(po_crew *crew, size_t count) {
       changed = changed || run->points[i].interleaved != before;
     }
     if (run->finished && changed)
-      status = po_record_write(run, run->folder, crew->jobs, crew->options->stop);
+      status = po_record_write(run, run->folder.text, crew->jobs, crew->options->stop);
   }
   return status;
 }
@@ -333,17 +333,17 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
   if (!po_case_run_lacking(run) && run->asked_count)
     return finish_case(crew, run); /* merged from shards */
   if (options->fresh && po_case_run_is_whole(run)) {
-    const po_status status = po_journal_remove(run->folder);
+    const po_status status = po_journal_remove(run->folder.text);
     if (status)
       return status;
   } else if (!options->fresh) {
-    po_status status = po_record_read(run, run->folder);
+    po_status status = po_record_read(run, run->folder.text);
     if (!status) {
       report_altered(crew, run);
       return finish_case(crew, run);
     }
     if (status == PO_NOT_FOUND)
-      status = po_journal_read(run, run->folder);
+      status = po_journal_read(run, run->folder.text);
     if (!status && run->plan->solver)
       status = po_run_solver_recover(run);
     if (status)
@@ -374,9 +374,8 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
     status = po_folder_make(options->output);
   progress_begin(&crew.progress, 0, 0);
   for (size_t i = 0; !status && i < count; ++i) {
-    status = po_case_run_place(&runs[i], options->output);
-    if (!status)
-      status = begin_case(&crew, &runs[i]);
+    po_case_run_place(&runs[i], options->output);
+    status = begin_case(&crew, &runs[i]);
     if (status == PO_INTERRUPTED) /* work_through reports it */
       status = PO_OK;
   }

@@ -161,7 +161,7 @@ po_status po_job_share(po_case_run *run, const po_job *job, const po_job_desk *d
 #pragma omp critical(po_run_finish)
   status = collect(run, job->point, run->chunks, &s);
   if (!status && s.count)
-    status = po_ask(run->plan->solver, s.questions, s.count, run->folder, run->plan->solve_key,
+    status = po_ask(run->plan->solver, s.questions, s.count, run->folder.text, run->plan->solve_key,
                     desk->stop, take, &s, &log);
   if (!status)
     status = keep_log(run, &log);
@@ -175,7 +175,7 @@ po_status po_job_share(po_case_run *run, const po_job *job, const po_job_desk *d
 static po_status take_recovered(void *context, po_case_run *run, size_t point, bool last) {
   (void)context;
   run->points[point].done = last;
-  return po_journal_add(run, point, run->folder);
+  return po_journal_add(run, point, run->folder.text);
 }
 
 po_status po_run_solver_recover(po_case_run *run) {
@@ -183,7 +183,7 @@ po_status po_run_solver_recover(po_case_run *run) {
   share_of_run s = {.desk = &JOURNAL};
   po_status status = collect(run, 0, 1, &s);
   if (!status)
-    status = po_recover(s.questions, s.count, run->folder, run->plan->solve_key, take, &s);
+    status = po_recover(s.questions, s.count, run->folder.text, run->plan->solve_key, take, &s);
   clear_share(&s);
   return status;
 }
@@ -213,7 +213,7 @@ static po_status measure_start(po_case_run *run, unsigned round,
   if (!isnan(run->starts[round].start_wall))
     return PO_OK;
   const po_status status =
-      po_ask(run->plan->solver, NULL, 0, run->folder, NULL, stop, NULL, NULL, &log);
+      po_ask(run->plan->solver, NULL, 0, run->folder.text, NULL, stop, NULL, NULL, &log);
   if (!status && log.count) {
     run->starts[round].start_wall = log.processes[0].wall;
     run->starts[round].start_processor = log.processes[0].processor;
@@ -280,7 +280,7 @@ static po_status ask(po_case_run *run, size_t point, unsigned round,
   l.round.seconds = NAN;
   po_ask_log log = {0};
   if (!status)
-    status = po_ask(run->plan->solver, &question, 1, run->folder, run->plan->solve_key, stop,
+    status = po_ask(run->plan->solver, &question, 1, run->folder.text, run->plan->solve_key, stop,
                     take_round, &l, &log);
   if (status == PO_INTERRUPTED && l.enough && !(stop && *stop))
     status = PO_OK;

@@ -85,13 +85,11 @@ po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, 
       {"of", po_json_count(shard.count)}, {"program", po_json_text(runs[0].plan->program)},
       {"time_limit", po_json_number(time_limit)}, {"environment", po_environment_describe(jobs)},
       {"cases", cases_json(runs, count)});
-  char *path = po_path_join(output, name);
-  po_status status = path ? po_folder_make(output) : PO_NO_MEMORY;
+  po_status status = po_folder_make(output);
   if (!status)
     status = po_json_print_checked(document, &text);
   if (!status)
-    status = po_file_write(path, text.data, text.length);
-  free(path);
+    status = po_file_write(po_path_join(output, name).text, text.data, text.length);
   json_decref(document);
   po_text_clear(&text);
   return status;
@@ -103,16 +101,15 @@ static const json_t *cases_of(const po_merge_part *part) {
   return json_object_get(part->root, "cases");
 }
 
-/* Reads the file of a shard; takes ownership of `path`. */
-static po_status read_part(po_merge *merge, const char *folder, char *path) {
+/* Reads the file of a shard. */
+static po_status read_part(po_merge *merge, const char *folder, const char *name) {
   po_merge_part *parts = po_resize(merge->parts, merge->count + 1, sizeof *parts);
-  if (!parts) {
-    free(path);
+  if (!parts)
     return PO_NO_MEMORY;
-  }
   merge->parts = parts;
   po_merge_part *part = &parts[merge->count++];
-  *part = (po_merge_part){.path = path, .folder = folder};
+  *part = (po_merge_part){.path = po_path_join(folder, name), .folder = folder};
+  const char *path = part->path.text;
   char *bytes = NULL;
   size_t size = 0;
   po_status status = po_file_read(path, &bytes, &size);
@@ -149,8 +146,7 @@ static po_status read_folder(po_merge *merge, const char *folder) {
   for (size_t i = 0; !status && i < count; ++i) {
     if (strncmp(names[i], "shard-", strlen("shard-")) != 0)
       continue;
-    char *path = po_path_join(folder, names[i]);
-    status = path ? read_part(merge, folder, path) : PO_NO_MEMORY;
+    status = read_part(merge, folder, names[i]);
     ++found;
   }
   po_names_free(names, count);
@@ -177,22 +173,22 @@ static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
 static po_status check_part(const po_merge_part *first, const po_merge_part *part) {
   if (part->shard.count != first->shard.count)
     return po_fail(PO_BAD_INPUT, "%s is one of %zu shards: expected one of %zu, as %s is",
-                   part->path, part->shard.count, first->shard.count, first->path);
+                   part->path.text, part->shard.count, first->shard.count, first->path.text);
   if (strcmp(po_record_text(first->root, "program"), po_record_text(part->root, "program")) != 0)
     return po_fail(PO_BAD_INPUT,
                    "%s was computed by another program than %s: expected the same program",
-                   part->path, first->path);
+                   part->path.text, first->path.text);
   const char *other = other_case(first, part);
   if (other)
     return po_fail(PO_BAD_INPUT,
-                   "%s has other cases than %s: expected the same, but only one has %s", part->path,
-                   first->path, other);
+                   "%s has other cases than %s: expected the same, but only one has %s",
+                   part->path.text, first->path.text, other);
   for (size_t i = 0; i < json_array_size(cases_of(part)); ++i) {
     const json_t *entry = json_array_get(cases_of(part), i);
     if (strcmp(po_record_text(entry, "solve_key"),
                po_record_text(json_array_get(cases_of(first), i), "solve_key")) != 0)
       return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
-                     part->path, po_record_text(entry, "case"), first->path);
+                     part->path.text, po_record_text(entry, "case"), first->path.text);
   }
   return PO_OK;
 }
@@ -237,7 +233,7 @@ static po_status check_complete(const po_merge *merge) {
     return status;
   if (repeat.found)
     return po_fail(PO_BAD_INPUT, "%s overlaps %s: expected each shard once",
-                   merge->parts[repeat.again].path, merge->parts[repeat.first].path);
+                   merge->parts[repeat.again].path.text, merge->parts[repeat.first].path.text);
   return merge->count < merge->parts[0].shard.count ? refuse_missing(merge) : PO_OK;
 }
 
@@ -265,10 +261,8 @@ po_status po_merge_open(char *const *folders, size_t count, po_merge *merge) {
 }
 
 void po_merge_close(po_merge *merge) {
-  for (size_t i = 0; i < merge->count; ++i) {
-    free(merge->parts[i].path);
+  for (size_t i = 0; i < merge->count; ++i)
     json_decref(merge->parts[i].root);
-  }
   free(merge->parts);
   free(merge->cases);
   *merge = (po_merge){0};
@@ -280,13 +274,13 @@ static po_status check_runs(const po_merge_part *first, const po_case_run *runs,
     return po_fail(
         PO_BAD_INPUT,
         "%s was computed by another program: expected the program that merges the shards",
-        first->path);
+        first->path.text);
   for (size_t r = 0; r < count; ++r) {
     const json_t *entry = json_array_get(cases_of(first), r);
     if (strcmp(po_record_text(entry, "case"), runs[r].plan->kase->file->name) != 0 ||
         strcmp(po_record_text(entry, "solve_key"), runs[r].plan->solve_key) != 0)
       return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
-                     first->path, po_record_text(entry, "case"), runs[r].plan->kase->shown);
+                     first->path.text, po_record_text(entry, "case"), runs[r].plan->kase->shown);
   }
   return PO_OK;
 }
@@ -294,11 +288,10 @@ static po_status check_runs(const po_merge_part *first, const po_case_run *runs,
 /* Reads the points from the journal, and those that it lacks from a record: a shard that solved all
  * points of a case has a record in place of a journal. */
 static po_status read_results(po_case_run *run, const char *output) {
-  char *folder = po_path_join(output, run->plan->kase->file->name);
-  po_status status = folder ? po_journal_read(run, folder) : PO_NO_MEMORY;
+  const po_file_path folder = po_path_join(output, run->plan->kase->file->name);
+  po_status status = po_journal_read(run, folder.text);
   if (!status && po_case_run_lacking(run))
-    status = po_record_read(run, folder);
-  free(folder);
+    status = po_record_read(run, folder.text);
   run->kept = run->finished = false;
   run->old_key[0] = '\0';
   return status == PO_NOT_FOUND ? PO_OK : status;

@@ -29,7 +29,7 @@ po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, 
 /* A shard that was found in a folder. */
 typedef struct {
   const char *folder; /* as it was given */
-  char *path;         /* of shard-K-of-N.json in that folder */
+  po_file_path path;  /* of shard-K-of-N.json in that folder */
   json_t *root;
   po_shard shard;
 } po_merge_part;

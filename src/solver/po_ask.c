@@ -116,16 +116,12 @@ static po_status listen(asking *a, po_process *process, po_ask_process *found) {
 }
 
 /* Keeps the folder of the last process that was unusual, and removes that of any other. */
-static void keep_folder(po_ask_log *log, char **folder, bool unusual) {
-  char **gone = unusual ? &log->folder : folder;
-  if (*gone)
-    po_ask_folder_remove(*gone);
-  free(*gone);
-  *gone = NULL;
-  if (unusual) {
+static void keep_folder(po_ask_log *log, const po_file_path *folder, bool unusual) {
+  const po_file_path *gone = unusual ? &log->folder : folder;
+  if (*gone->text)
+    po_ask_folder_remove(gone->text);
+  if (unusual)
     log->folder = *folder;
-    *folder = NULL;
-  }
 }
 
 /* Writes the request, and the same as a table. */
@@ -135,9 +131,9 @@ static po_status write_request(const asking *a, const po_ask_folder *folder) {
   po_status status =
       po_questions_print(a->solver, t->questions, t->open, t->count, &request, &table);
   if (!status)
-    status = po_file_write(folder->request, request.data, request.length);
+    status = po_file_write(folder->request.text, request.data, request.length);
   if (!status)
-    status = po_file_write(folder->table, table.data, table.length);
+    status = po_file_write(folder->table.text, table.data, table.length);
   po_text_clear(&request);
   po_text_clear(&table);
   return status;
@@ -173,7 +169,7 @@ static po_status run_process(asking *a) {
   po_status status = po_ask_folder_make(a->folder, a->key, &folder);
   if (!status)
     status = write_request(a, &folder);
-  po_taking_begin(t, folder.response);
+  po_taking_begin(t, folder.response.text);
   a->late = false;
   if (!status)
     status = run_in(a, &folder, &end);
@@ -187,7 +183,7 @@ static po_status run_process(asking *a) {
   /* if an answer could not be stored, the next run takes it from the folder */
   if (!status || status == PO_INTERRUPTED || !a->key)
     keep_folder(a->log, &folder.path, t->unusual);
-  po_ask_folder_clear(&folder);
+  po_ask_folder_unlock(&folder);
   return status;
 }
 
@@ -232,6 +228,5 @@ po_status po_ask(const po_solver *solver, const po_question *questions, size_t c
 
 void po_ask_log_clear(po_ask_log *log) {
   free(log->processes);
-  free(log->folder);
   *log = (po_ask_log){0};
 }

@@ -19,8 +19,8 @@ typedef struct {
 typedef struct {
   po_ask_process *processes;
   size_t count;
-  char *folder; /* request and response of the last process that gave an invalid answer or failed;
-                   NULL: there was none */
+  po_file_path folder; /* request and response of the last process that gave an invalid answer or
+                     failed; "": there was none */
 } po_ask_log;
 
 /* Asks all questions. Given: `folder`, in which the solver gets folders of its own; `key`, a digest

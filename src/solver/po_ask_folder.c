@@ -31,63 +31,46 @@ static int remove_entry(const char *path, const struct stat *found, int type, st
 /* The key goes last: if the program is killed in between, the next run still knows the folder as
  * one of its own. */
 void po_ask_folder_remove(const char *folder) {
-  char *key = po_path_join(folder, KEY_FILE);
   nftw(folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS | FTW_MOUNT);
-  if (key)
-    remove(key);
+  remove(po_path_join(folder, KEY_FILE).text);
   remove(folder);
-  free(key);
 }
 
 /* Writes the key into the folder and locks the file. */
 static po_status lock_key(po_ask_folder *f, const char *key) {
-  char *path = po_path_join(f->path, KEY_FILE);
-  if (!path)
-    return PO_NO_MEMORY;
-  po_status status = po_file_write(path, key, strlen(key));
+  const po_file_path path = po_path_join(f->path.text, KEY_FILE);
+  const po_status status = po_file_write(path.text, key, strlen(key));
   if (!status)
-    f->lock = open(path, O_RDONLY | O_CLOEXEC);
+    f->lock = open(path.text, O_RDONLY | O_CLOEXEC);
   if (f->lock >= 0)
     (void)flock(f->lock, LOCK_EX | LOCK_NB);
-  free(path);
   return status;
 }
 
 po_status po_ask_folder_make(const char *parent, const char *key, po_ask_folder *f) {
-  *f = (po_ask_folder){.path = po_path_join(parent, "ask-XXXXXX"), .lock = -1};
-  po_status status = f->path ? po_folder_make(parent) : PO_NO_MEMORY;
-  if (!status && !mkdtemp(f->path))
-    status = po_fail(PO_CANNOT_WRITE, "a folder for the solver cannot be created in %s", parent);
-  char *real = status ? NULL : realpath(f->path, NULL);
-  if (!status && real) {
-    free(f->path);
-    f->path = real;
-    f->request = po_path_join(real, "request.json");
-    f->table = po_path_join(real, "request.csv");
-    f->response = po_path_join(real, RESPONSE_FILE);
-  }
-  if (!status && !(f->request && f->table && f->response))
-    status = PO_NO_MEMORY;
-  if (!status && key)
-    status = lock_key(f, key);
-  return status;
+  po_file_path made = po_path_join(parent, "ask-XXXXXX");
+  *f = (po_ask_folder){.lock = -1};
+  const po_status status = po_folder_make(parent);
+  if (status)
+    return status;
+  if (!mkdtemp(made.text) || !realpath(made.text, f->path.text))
+    return po_fail(PO_CANNOT_WRITE, "a folder for the solver cannot be created in %s", parent);
+  f->request = po_path_join(f->path.text, "request.json");
+  f->table = po_path_join(f->path.text, "request.csv");
+  f->response = po_path_join(f->path.text, RESPONSE_FILE);
+  return key ? lock_key(f, key) : PO_OK;
 }
 
-void po_ask_folder_clear(po_ask_folder *f) {
-  free(f->path);
-  free(f->request);
-  free(f->table);
-  free(f->response);
+void po_ask_folder_unlock(po_ask_folder *f) {
   if (f->lock >= 0)
     close(f->lock);
-  *f = (po_ask_folder){.lock = -1};
+  f->lock = -1;
 }
 
 /* Reports whether a folder was made with the same key by a run that does not live any more. */
 static bool ask_folder_is_left(const char *folder, const char *key) {
-  char *path = po_path_join(folder, KEY_FILE), found[PO_DIGEST_LENGTH] = "";
-  const int file = path ? open(path, O_RDONLY | O_CLOEXEC) : -1;
-  free(path);
+  char found[PO_DIGEST_LENGTH] = "";
+  const int file = open(po_path_join(folder, KEY_FILE).text, O_RDONLY | O_CLOEXEC);
   if (file < 0)
     return false;
   const bool same =
@@ -102,11 +85,8 @@ static bool ask_folder_is_left(const char *folder, const char *key) {
  */
 static bool ask_folder_is_debris(const char *folder) {
   struct stat found;
-  char *path = po_path_join(folder, KEY_FILE);
-  const bool debris = path && !po_path_exists(path) && stat(folder, &found) == 0 &&
-                      time(NULL) - found.st_mtime > DEBRIS_AGE;
-  free(path);
-  return debris;
+  return !po_path_exists(po_path_join(folder, KEY_FILE).text) && stat(folder, &found) == 0 &&
+         time(NULL) - found.st_mtime > DEBRIS_AGE;
 }
 
 /* For whom answers are recovered. */
@@ -140,17 +120,17 @@ po_status po_recover(const po_question *questions, size_t count, const char *fol
   if (!status && po_path_exists(folder))
     status = po_folder_list(folder, "", &names, &name_count);
   for (size_t i = 0; !status && i < name_count; ++i) {
-    char *path = strncmp(names[i], "ask-", 4) == 0 ? po_path_join(folder, names[i]) : NULL;
-    char *response =
-        path && ask_folder_is_left(path, key) ? po_path_join(path, RESPONSE_FILE) : NULL;
-    if (response) {
-      po_taking_begin(&taking, response);
+    const po_file_path path = po_path_join(folder, names[i]);
+    if (strncmp(names[i], "ask-", 4) != 0)
+      continue;
+    const bool left = ask_folder_is_left(path.text, key);
+    if (left) {
+      const po_file_path response = po_path_join(path.text, RESPONSE_FILE);
+      po_taking_begin(&taking, response.text);
       status = po_taking_lines(&taking, false);
     }
-    if ((response && !status) || (path && !status && ask_folder_is_debris(path)))
-      po_ask_folder_remove(path);
-    free(response);
-    free(path);
+    if (!status && (left || ask_folder_is_debris(path.text)))
+      po_ask_folder_remove(path.text);
   }
   po_names_free(names, name_count);
   po_taking_clear(&taking);

@@ -5,17 +5,16 @@
 #include "po_taking.h"
 
 typedef struct {
-  char *path, *request, *table, *response; /* absolute paths */
+  po_file_path path, request, table, response; /* absolute */
   int lock; /* the file of the key, locked while this program lives; -1: none */
 } po_ask_folder;
 
 /* Creates an empty folder. Given: `parent`, which is created if it does not exist; `key`, see
- * po_ask, or NULL. Returned: to be cleared whatever the status. Status: PO_CANNOT_WRITE,
- * PO_NO_MEMORY. */
+ * po_ask, or NULL. Returned: to be unlocked whatever the status. Status: PO_CANNOT_WRITE. */
 po_status po_ask_folder_make(const char *parent, const char *key, po_ask_folder *folder);
 
-/* Forgets the folder and unlocks it; it stays on the disk. */
-void po_ask_folder_clear(po_ask_folder *folder);
+/* Unlocks the folder. */
+void po_ask_folder_unlock(po_ask_folder *folder);
 
 /* Removes a folder and everything in it. */
 void po_ask_folder_remove(const char *path);

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_input.h"
@@ -191,7 +190,7 @@ static po_status test_empty(conforming *c) {
   const po_status status = ask(c, 0, 1, c->stop, take);
   if (!status) {
     const po_ask_process *p = &c->log.processes[0];
-    const bool ok = !c->log.folder;
+    const bool ok = !*c->log.folder.text;
     tell(c, ok ? "ok" : "wrong", "empty request: %s %.2f s, %.2f s of processor time%s",
          ok ? "ended after" : "expected the end with exit status 0; after", p->wall, p->processor,
          p->left ? "; processes that it left behind were killed" : "");
@@ -284,8 +283,8 @@ static po_status test_scenes(conforming *c) {
     tell(c, "wrong", "seconds: %.3g s are reported, but the process took %.3g s", reported, wall);
   if (!status && left)
     tell(c, "note", "processes that the solver left behind were killed");
-  if (!status && c->log.folder)
-    tell(c, "note", "request and response are in %s", c->log.folder);
+  if (!status && *c->log.folder.text)
+    tell(c, "note", "request and response are in %s", c->log.folder.text);
   return status;
 }
 

@@ -64,8 +64,9 @@ static char **make_environment(const po_solver *solver, const char *folder) {
 
 /* Returned: the command with the names of the files, to be freed; NULL without memory. */
 static char **make_command(const po_solver *solver, const po_ask_folder *folder) {
-  const char *const files[][2] = {
-      {"{request}", folder->request}, {"{table}", folder->table}, {"{response}", folder->response}};
+  const char *const files[][2] = {{"{request}", folder->request.text},
+                                  {"{table}", folder->table.text},
+                                  {"{response}", folder->response.text}};
   const unsigned count = solver->file->command_count;
   char **words = po_allocate(count + 1, sizeof *words);
   for (unsigned i = 0; words && i < count; ++i) {
@@ -272,14 +273,14 @@ static po_status start(char *const *command, char *const *environment, const cha
 po_status po_process_start(const po_solver *solver, const po_ask_folder *folder,
                            po_process *process) {
   char **command = make_command(solver, folder);
-  char **environment = make_environment(solver, folder->path);
+  char **environment = make_environment(solver, folder->path.text);
   po_status status = command && environment ? PO_OK : PO_NO_MEMORY;
   *process = (po_process){.handle = -1, .output = -1};
   if (!status && access(command[0], X_OK) != 0)
     status = po_fail(PO_CANNOT_READ, "%s cannot be executed: %s", command[0], strerror(errno));
   if (!status) {
     hide();
-    status = start(command, environment, folder->path, process);
+    status = start(command, environment, folder->path.text, process);
   }
   free_words(command);
   free_words(environment);

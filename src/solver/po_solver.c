@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "po_case.h"
 #include "po_field_table.h"
@@ -192,51 +191,34 @@ char *po_solver_replace(const char *word, const char *name, const char *value) {
   return po_text_take(&text);
 }
 
-/* Returned: the path of a program that PATH contains; NULL if there is none, or without memory. */
-static char *find_program(const char *name) {
-  const char *path = getenv("PATH");
-  while (path && *path) {
-    po_text file = {0};
-    const size_t length = strcspn(path, ":");
-    po_text_add(&file, "%.*s/%s", (int)length, path, name);
-    if (!file.failed && access(file.data, X_OK) == 0)
-      return file.data;
-    po_text_clear(&file);
-    path += length + (path[length] == ':');
-  }
-  return NULL;
-}
-
 static po_status make_command(const po_yaml *yaml, po_solver *solver) {
   const po_solver_file *file = solver->file;
   solver->command = po_allocate(file->command_count + 1, sizeof *solver->command);
   if (!solver->command)
     return PO_NO_MEMORY;
   for (unsigned i = 0; i < file->command_count; ++i)
-    if (!(solver->command[i] = po_solver_replace(file->command[i], "{here}", solver->here)))
+    if (!(solver->command[i] = po_solver_replace(file->command[i], "{here}", solver->here.text)))
       return PO_NO_MEMORY;
-  if (solver->command[0][0] == '/')
-    return access(solver->command[0], X_OK) == 0
-               ? PO_OK
-               : po_yaml_refuse(yaml, "command[1]", "a program that can be executed");
-  char *found = strchr(solver->command[0], '/') ? NULL : find_program(solver->command[0]);
-  if (!found)
-    return po_yaml_refuse(yaml, "command[1]",
-                          "a program in PATH, an absolute path, or a path that begins with {here}");
+  const bool absolute = solver->command[0][0] == '/';
+  const po_file_path found = po_program_find(solver->command[0]);
+  if (!*found.text || (!absolute && strchr(solver->command[0], '/')))
+    return po_yaml_refuse(
+        yaml, "command[1]",
+        absolute ? "a program that can be executed"
+                 : "a program in PATH, an absolute path, or a path that begins with {here}");
   free(solver->command[0]);
-  solver->command[0] = found;
-  return PO_OK;
+  solver->command[0] = po_copy_text(found.text);
+  return solver->command[0] ? PO_OK : PO_NO_MEMORY;
 }
 
 /* Adds the digest of a file to a text, if it is one. */
 static po_status add_file(const po_solver *solver, const char *name, bool needed, po_text *text) {
-  char *path = po_path_join(solver->here, name), *bytes = NULL, digest[PO_DIGEST_LENGTH];
+  const po_file_path path = po_path_join(solver->here.text, name);
+  char *bytes = NULL, digest[PO_DIGEST_LENGTH];
   size_t size = 0;
-  if (!path)
-    return PO_NO_MEMORY;
   po_status status = PO_OK;
-  if (needed || po_path_exists(path))
-    status = po_file_read(path, &bytes, &size);
+  if (needed || po_path_exists(path.text))
+    status = po_file_read(path.text, &bytes, &size);
   if (status == PO_CANNOT_READ && !needed)
     status = PO_OK; /* a folder, for example */
   if (bytes) {
@@ -244,7 +226,6 @@ static po_status add_file(const po_solver *solver, const char *name, bool needed
     po_text_add(text, "%s|", digest);
   }
   free(bytes);
-  free(path);
   return status;
 }
 
@@ -266,13 +247,13 @@ static po_status make_digest(const char *bytes, size_t size, po_solver *solver) 
   return status;
 }
 
-/* Returned: the absolute path of the folder of a file; NULL without memory. */
-static char *folder_of(const char *path) {
-  char *real = realpath(path, NULL);
-  char *slash = real ? strrchr(real, '/') : NULL;
-  if (slash)
-    slash[slash == real] = '\0';
-  return real;
+/* Finds the absolute path of the folder of a file. */
+static po_status find_folder(const char *path, po_file_path *folder) {
+  if (!realpath(path, folder->text))
+    return po_fail(PO_CANNOT_READ, "the folder of %s cannot be found", path);
+  char *slash = strrchr(folder->text, '/');
+  slash[slash == folder->text] = '\0';
+  return PO_OK;
 }
 
 po_status po_solver_read(const char *path, const char *knob, po_solver **result) {
@@ -284,12 +265,10 @@ po_status po_solver_read(const char *path, const char *knob, po_solver **result)
   if (!solver)
     return PO_NO_MEMORY;
   solver->file = po_allocate(1, sizeof *solver->file);
-  solver->path = po_copy_text(path);
-  po_status status = solver->file && solver->path ? PO_OK : PO_NO_MEMORY;
+  solver->path = po_path_join("", path);
+  po_status status = solver->file ? po_file_read(path, &bytes, &size) : PO_NO_MEMORY;
   if (!status)
-    status = po_file_read(path, &bytes, &size);
-  if (!status && !(solver->here = folder_of(path)))
-    status = po_fail(PO_CANNOT_READ, "the folder of %s cannot be found", path);
+    status = find_folder(path, &solver->here);
   if (!status)
     status = po_yaml_create(path, bytes, size, &yaml);
   if (!status)
@@ -318,17 +297,12 @@ void po_solver_destroy(po_solver *solver) {
   if (solver->file)
     po_fields_clear(MANIFEST, solver->file);
   free(solver->file);
-  free(solver->path);
-  free(solver->here);
   free(solver->name);
   free(solver);
 }
 
-char *po_solver_folder(const po_solver *solver, const char *output) {
-  char *solvers = po_path_join(output, PO_CASE_FOLDER_OF_SOLVERS);
-  char *folder = solvers ? po_path_join(solvers, solver->name) : NULL;
-  free(solvers);
-  return folder;
+po_file_path po_solver_folder(const po_solver *solver, const char *output) {
+  return po_path_join(po_path_join(output, PO_CASE_FOLDER_OF_SOLVERS).text, solver->name);
 }
 
 static const po_solver_key *find_key(const po_solver *solver, po_key key) {

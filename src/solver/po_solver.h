@@ -8,6 +8,7 @@
 
 #include "po_check.h"
 #include "po_digest.h"
+#include "po_file.h"
 #include "po_request.h"
 
 /* The version of the protocol: the value of `protocol` in a manifest, and the schema of requests.
@@ -54,8 +55,8 @@ typedef struct {
 
 typedef struct {
   po_solver_file *file;
-  char *path;           /* of the manifest */
-  char *here;           /* its folder, absolute */
+  po_file_path path;    /* of the manifest */
+  po_file_path here;    /* its folder, absolute */
   char *name;           /* of the solver: "NAME", or "NAME@VALUE" with another value of the knob */
   const char *knob;     /* the value of the knob; NULL: there is none */
   char **command;       /* with the path of the program; {here} is replaced; ends with NULL */
@@ -77,9 +78,8 @@ void po_solver_destroy(po_solver *solver);
  * freed; NULL without memory. */
 char *po_solver_replace(const char *word, const char *name, const char *value);
 
-/* Returned: the folder of the records of a solver, OUTPUT/solvers/NAME, to be freed; NULL without
- * memory. */
-char *po_solver_folder(const po_solver *solver, const char *output);
+/* Returned: the folder of the records of a solver, OUTPUT/solvers/NAME. */
+po_file_path po_solver_folder(const po_solver *solver, const char *output);
 
 /* Reports whether the solver accepts a scene: it knows all keys that describe the scene, and
  * accepts their values. Returned: otherwise, in `why`, the key and its value. */

@@ -18,6 +18,7 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_json_value.h"
+#include "po_memory.h"
 #include "po_record.h"
 
 /* Linked instead of the function that describes the running program (--wrap). Computing the digest
@@ -131,7 +132,7 @@ const char *fuzz_path(const char *name) {
     if (strcmp(paths[i] + strlen(scratch) + 1, name) == 0)
       return paths[i];
   fuzz_require(count < MOST, "there are more than %d scratch files", MOST);
-  char *path = po_path_join(scratch, name);
+  char *path = po_copy_text(po_path_join(scratch, name).text);
   fuzz_require(path != NULL, "no memory for a path");
   return paths[count++] = path;
 }

@@ -70,10 +70,8 @@ static size_t replay_path(const char *path) {
   const int names = scandir(path, &entries, NULL, alphasort);
   size_t count = 0;
   for (int i = 0; i < names; ++i) {
-    char *file = po_path_join(path, entries[i]->d_name);
-    if (file && entries[i]->d_name[0] != '.')
-      count += replay_file(file);
-    free(file);
+    if (entries[i]->d_name[0] != '.')
+      count += replay_file(po_path_join(path, entries[i]->d_name).text);
     free(entries[i]);
   }
   free(entries);

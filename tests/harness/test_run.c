@@ -24,17 +24,8 @@ static char folder[] = "stopped-XXXXXX";
 static const char *const FILES[] = {"case.yaml", "stopped/record.json", "stopped/points.jsonl",
                                     "stopped/line-any.csv", "stopped"};
 
-static char *within(const char *name) {
-  char *path = po_path_join(folder, name);
-  ck_assert_ptr_nonnull(path);
-  return path;
-}
-
 static bool is_there(const char *name) {
-  char *path = within(name);
-  const bool found = po_path_exists(path);
-  free(path);
-  return found;
+  return po_path_exists(po_path_join(folder, name).text);
 }
 
 static void setup(void) {
@@ -42,23 +33,21 @@ static void setup(void) {
 }
 
 static void teardown(void) {
-  for (size_t i = 0; i < sizeof FILES / sizeof *FILES; ++i) {
-    char *path = within(FILES[i]);
-    remove(path);
-    free(path);
-  }
+  for (size_t i = 0; i < sizeof FILES / sizeof *FILES; ++i)
+    remove(po_path_join(folder, FILES[i]).text);
   remove(folder);
 }
 
 /* Runs the first points of the case, with a value of its line, and optionally stops the run. */
 static po_status run_case_file(const char *value, size_t points, volatile sig_atomic_t stop) {
-  char text[sizeof CASE + 16], *path = within("case.yaml");
+  char text[sizeof CASE + 16];
+  const po_file_path path = po_path_join(folder, "case.yaml");
   snprintf(text, sizeof text, CASE, value);
-  ck_assert_int_eq(po_file_write(path, text, strlen(text)), PO_OK);
+  ck_assert_int_eq(po_file_write(path.text, text, strlen(text)), PO_OK);
   po_case *kase = NULL;
   po_plan *plan = NULL;
   po_case_run run;
-  ck_assert_int_eq(po_case_read(path, path, &kase), PO_OK);
+  ck_assert_int_eq(po_case_read(path.text, path.text, &kase), PO_OK);
   ck_assert_int_eq(po_plan_create(kase, SOURCE_ROOT, NULL, &plan), PO_OK);
   ck_assert_int_eq(po_case_run_create(plan, &run), PO_OK);
   po_case_run_ask(&run, &(po_point_range){0, points - 1}, 1);
@@ -67,7 +56,6 @@ static po_status run_case_file(const char *value, size_t points, volatile sig_at
   ck_assert_int_eq(run.finished, status == PO_OK);
   po_case_run_clear(&run);
   po_case_destroy(kase);
-  free(path);
   return status;
 }
 
@@ -128,12 +116,12 @@ END_TEST
 START_TEST(the_key_of_a_folder_is_removed_last) {
   po_ask_folder made;
   ck_assert_int_eq(po_ask_folder_make(folder, "key", &made), PO_OK);
-  ck_assert_int_eq(po_file_write(made.request, "{}", 2), PO_OK);
-  ck_assert_int_eq(po_file_write(made.response, "{}", 2), PO_OK);
+  ck_assert_int_eq(po_file_write(made.request.text, "{}", 2), PO_OK);
+  ck_assert_int_eq(po_file_write(made.response.text, "{}", 2), PO_OK);
   const int events = inotify_init();
-  ck_assert_int_ge(inotify_add_watch(events, made.path, IN_DELETE), 0);
-  po_ask_folder_remove(made.path);
-  ck_assert(!po_path_exists(made.path));
+  ck_assert_int_ge(inotify_add_watch(events, made.path.text, IN_DELETE), 0);
+  po_ask_folder_remove(made.path.text);
+  ck_assert(!po_path_exists(made.path.text));
   _Alignas(struct inotify_event) char bytes[4096];
   const ssize_t size = read(events, bytes, sizeof bytes);
   const char *last = NULL;
@@ -149,7 +137,7 @@ START_TEST(the_key_of_a_folder_is_removed_last) {
   ck_assert_int_eq(removed, 3);
   ck_assert_str_eq(last, "key");
   close(events);
-  po_ask_folder_clear(&made);
+  po_ask_folder_unlock(&made);
 }
 END_TEST
 
