@@ -43,7 +43,9 @@ void po_plan_add_rerun(const po_plan *plan, size_t point, po_text *text) {
 bool po_plan_covers(const po_plan *plan, const po_check *check) {
   if (!plan->solver)
     return true;
-  if (check->type == PO_REFERENCE_TRACED || !po_solver_computes(plan->solver, check->quantity))
+  if (check->quantity != PO_SOLVED_SHARE && !(plan->solver->quantities & 1U << check->quantity))
+    return false; /* the share is known of every solver */
+  if (check->type == PO_REFERENCE_TRACED)
     return false;
   return check->type != PO_REFERENCE_PINS ||
          po_pins_exist(&plan->references[check - plan->kase->file->checks]);

@@ -19,18 +19,25 @@ static const char TABLE[] = "reference/feng_pull_off.csv";
  * that are recognised, 4/3 and 3/2, is 12 %. */
 static const double CLOSE = 0.05;
 
-/* Approaches and contact radii below this, in eps, are not compared: a coarse mesh has a larger
- * error. */
-static const double SMALL_APPROACH = 0.2, SMALL_RADIUS = 10;
-
 enum { MOST_SCENES = 4 };
+
+/* The numbers of a scene that are compared, and what is expected of them. */
+enum { FORCE, APPROACH, CONTACT_RADIUS, NUMBERS };
+static const struct {
+  po_quantity quantity;
+  const char *what, *unit;
+  double small; /* eps; less is not compared, because a coarse mesh has a larger error */
+} COMPARED[NUMBERS] = {{PO_PULL_OFF_FORCE, "force at pull-off", "the magnitude, > 0, in pi w R", 0},
+                       {PO_PULL_OFF_APPROACH, "approach at pull-off",
+                        "in epsilon, > 0 when pressed together, 0 at the gap of equilibrium", 0.2},
+                       {PO_CONTACT_RADIUS, "contact radius at pull-off", "in epsilon", 10}};
 
 typedef struct {
   const char *limit; /* the theory near which the scene is */
   po_question question;
-  double force, approach, contact_radius; /* expected */
-  po_answer answer;                       /* the first one, or the last without an answer */
-  unsigned answers;                       /* with status ok */
+  double expected[NUMBERS];
+  po_answer answer; /* the first one, or the last without an answer */
+  unsigned answers; /* with status ok */
   bool final;
 } conform_scene;
 
@@ -62,15 +69,13 @@ tell(conforming *c, const char *verdict, const char *format, ...) {
 
 /* Expected numbers of a smooth scene. Returned: false if the table does not contain it. */
 static bool expect(const conforming *c, conform_scene *scene) {
-  static const po_quantity WHAT[] = {PO_PULL_OFF_FORCE, PO_PULL_OFF_APPROACH, PO_CONTACT_RADIUS};
-  double *to[] = {&scene->force, &scene->approach, &scene->contact_radius};
   po_request unbounded = scene->question.request;
   unbounded.scene.outer_radius = INFINITY;
-  for (size_t i = 0; i < 3; ++i) {
+  for (size_t i = 0; i < NUMBERS; ++i) {
     po_reference_number number;
-    if (po_reference_find(&c->table, WHAT[i], &unbounded, &number))
+    if (po_reference_find(&c->table, COMPARED[i].quantity, &unbounded, &number))
       return false;
-    *to[i] = number.value;
+    scene->expected[i] = number.value;
   }
   return true;
 }
@@ -127,28 +132,32 @@ static void choose_scenes(conforming *c) {
     continue;
 }
 
+/* Takes a point as the pull-off if none has a greater tension. */
+static void take_deepest(double approach, double load, double obtained[NUMBERS]) {
+  if (!isnan(obtained[FORCE]) && -load <= obtained[FORCE])
+    return;
+  obtained[FORCE] = -load;
+  obtained[APPROACH] = approach;
+}
+
 /* The pull-off of the stable path and of the whole branch are the same for a smooth sphere.
- * Returned: force and approach of an answer, from whichever part it has; NAN: none. */
-static void pull_off_of(const po_result *o, double *force, double *approach) {
-  *force = *approach = (double)NAN;
+ * Returned: the numbers of an answer, from whichever part it has; NAN: none. */
+static void pull_off_of(const po_result *o, double obtained[NUMBERS]) {
+  obtained[FORCE] = obtained[APPROACH] = obtained[CONTACT_RADIUS] = (double)NAN;
   if (o->has_pull_off) {
-    *force = o->pull_off.force;
-    *approach = o->pull_off.approach;
+    obtained[FORCE] = o->pull_off.force;
+    obtained[APPROACH] = o->pull_off.approach;
+    obtained[CONTACT_RADIUS] = o->pull_off.contact_radius;
   }
-  if (o->has_hysteresis && isnan(*force)) {
-    *force = -o->hysteresis.of[PO_AT_APPROACH].pull_off.load;
-    *approach = o->hysteresis.of[PO_AT_APPROACH].pull_off.approach;
-  }
-  for (size_t i = 0; i < o->extremum_count && !o->has_pull_off && !o->has_hysteresis; ++i)
-    if (isnan(*force) || -o->extrema[i].load > *force) {
-      *force = -o->extrema[i].load;
-      *approach = o->extrema[i].approach;
-    }
-  for (size_t i = 0; i < o->curve_count && !o->has_pull_off && !o->has_hysteresis; ++i)
-    if (isnan(*force) || -o->curve[i].load > *force) {
-      *force = -o->curve[i].load;
-      *approach = o->curve[i].approach;
-    }
+  const po_path_state *stable = &o->hysteresis.of[PO_AT_APPROACH].pull_off;
+  if (o->has_hysteresis && isnan(obtained[FORCE]))
+    take_deepest(stable->approach, stable->load, obtained);
+  if (o->has_pull_off || o->has_hysteresis)
+    return;
+  for (size_t i = 0; i < o->extremum_count; ++i)
+    take_deepest(o->extrema[i].approach, o->extrema[i].load, obtained);
+  for (size_t i = 0; i < o->curve_count; ++i)
+    take_deepest(o->curve[i].approach, o->curve[i].load, obtained);
 }
 
 /* Keeps an answer. */
@@ -198,23 +207,31 @@ static po_status test_empty(conforming *c) {
   return status;
 }
 
-/* Compares one number of all scenes. Given: the pairs; `unit`, what is expected. */
-static void test_numbers(conforming *c, const char *what, const char *unit, const po_pair *pairs,
-                         size_t count, bool offset) {
+/* Reports whether a constant, 1 or -1, turns all expected numbers into the obtained ones: the
+ * distance between the gap 0 and the gap of equilibrium. */
+static bool recognise_offset(const po_pair *pairs, size_t count, int *offset) {
+  *offset = pairs[0].obtained > pairs[0].expected ? 1 : -1;
+  for (size_t i = 0; i < count; ++i)
+    if (!(fabs(pairs[i].obtained - pairs[i].expected - *offset) <= CLOSE))
+      return false;
+  return true;
+}
+
+/* Compares one number of some scenes, at least one. */
+static void test_number(conforming *c, int number, const po_pair *pairs, size_t count) {
+  const char *what = COMPARED[number].what, *unit = COMPARED[number].unit;
   char name[PO_FACTOR_LENGTH];
-  if (count == 0)
-    return;
-  if (po_recognise_factor(pairs, count, CLOSE, name)) {
-    const bool ok = strcmp(name, "1") == 0;
-    if (ok)
-      tell(c, "ok", "%s: within %.0f %% of the expected value in %zu scenes", what, 100 * CLOSE,
-           count);
-    else
-      tell(c, "wrong", "%s: the expected value times %s in %zu scenes; expected: %s", what, name,
-           count, unit);
-  } else if (offset && po_recognise_offset(pairs, count, CLOSE, name))
-    tell(c, "wrong", "%s: the expected value %s in %zu scenes; expected: %s", what, name, count,
-         unit);
+  int offset = 0;
+  const bool same = po_recognise_factor(pairs, count, CLOSE, name);
+  if (same && strcmp(name, "1") == 0)
+    tell(c, "ok", "%s: within %.0f %% of the expected value in %zu scenes", what, 100 * CLOSE,
+         count);
+  else if (same)
+    tell(c, "wrong", "%s: the expected value times %s in %zu scenes; expected: %s", what, name,
+         count, unit);
+  else if (number == APPROACH && recognise_offset(pairs, count, &offset))
+    tell(c, "wrong", "%s: the expected value %+d eps in %zu scenes; expected: %s", what, offset,
+         count, unit);
   else {
     size_t worst = 0;
     for (size_t i = 1; i < count; ++i)
@@ -229,29 +246,20 @@ static void test_numbers(conforming *c, const char *what, const char *unit, cons
 }
 
 static void compare_scenes(conforming *c) {
-  po_pair force[MOST_SCENES], approach[MOST_SCENES], radius[MOST_SCENES];
-  size_t forces = 0, approaches = 0, radii = 0;
-  for (size_t i = 0; i < c->count; ++i) {
-    const conform_scene *s = &c->scenes[i];
-    const po_scene *scene = &s->question.request.scene;
-    double f = NAN, a = NAN;
-    if (s->answer.result.status || !s->final)
-      continue;
-    pull_off_of(&s->answer.result, &f, &a);
-    if (isfinite(f))
-      force[forces++] = (po_pair){f, s->force, scene};
-    if (isfinite(a) && fabs(s->approach) > SMALL_APPROACH)
-      approach[approaches++] = (po_pair){a, s->approach, scene};
-    if (s->answer.result.has_pull_off && isfinite(s->answer.result.pull_off.contact_radius) &&
-        s->contact_radius > SMALL_RADIUS)
-      radius[radii++] =
-          (po_pair){s->answer.result.pull_off.contact_radius, s->contact_radius, scene};
+  for (int n = 0; n < NUMBERS; ++n) {
+    po_pair pairs[MOST_SCENES];
+    size_t count = 0;
+    for (size_t i = 0; i < c->count; ++i) {
+      const conform_scene *s = &c->scenes[i];
+      double obtained[NUMBERS];
+      pull_off_of(&s->answer.result, obtained);
+      if (!s->answer.result.status && s->final && isfinite(obtained[n]) &&
+          fabs(s->expected[n]) > COMPARED[n].small)
+        pairs[count++] = (po_pair){obtained[n], s->expected[n], &s->question.request.scene};
+    }
+    if (count)
+      test_number(c, n, pairs, count);
   }
-  test_numbers(c, "force at pull-off", "the magnitude, > 0, in pi w R", force, forces, false);
-  test_numbers(c, "approach at pull-off",
-               "in epsilon, > 0 when pressed together, 0 at the gap of equilibrium", approach,
-               approaches, true);
-  test_numbers(c, "contact radius at pull-off", "in epsilon", radius, radii, false);
 }
 
 static po_status test_scenes(conforming *c) {
@@ -267,14 +275,14 @@ static po_status test_scenes(conforming *c) {
     const conform_scene *s = &c->scenes[i];
     const po_result *o = &s->answer.result;
     const po_scene *scene = &s->question.request.scene;
-    double force = NAN, approach = NAN;
-    pull_off_of(o, &force, &approach);
+    double obtained[NUMBERS];
+    pull_off_of(o, obtained);
     if (o->status)
       tell(c, "wrong", "%s, tabor %g, radius %g: %s: %s", s->limit, scene->tabor, scene->radius,
            po_status_name(o->status), o->reason);
     else
       tell(c, "ok", "%s, tabor %g, radius %g: answered; force %.6g, expected %.6g", s->limit,
-           scene->tabor, scene->radius, force, s->force);
+           scene->tabor, scene->radius, obtained[FORCE], s->expected[FORCE]);
   }
   if (!status)
     compare_scenes(c);

@@ -99,17 +99,3 @@ bool po_recognise_factor(const po_pair *pairs, size_t count, double tolerance,
         }
   return false;
 }
-
-bool po_recognise_offset(const po_pair *pairs, size_t count, double tolerance,
-                         char name[PO_FACTOR_LENGTH]) {
-  for (int sign = -1; sign <= 1; sign += 2) {
-    bool all = count > 0;
-    for (size_t i = 0; i < count; ++i)
-      all = all && fabs(pairs[i].obtained - pairs[i].expected - sign) <= tolerance;
-    if (all) {
-      snprintf(name, PO_FACTOR_LENGTH, "%s1 eps", sign < 0 ? "-" : "+");
-      return true;
-    }
-  }
-  return false;
-}

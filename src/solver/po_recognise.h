@@ -22,9 +22,4 @@ enum { PO_FACTOR_LENGTH = 120 };
 bool po_recognise_factor(const po_pair *pairs, size_t count, double tolerance,
                          char name[PO_FACTOR_LENGTH]);
 
-/* The same for an added constant: 1 or -1, the distance between the gap 0 and the gap of
- * equilibrium. */
-bool po_recognise_offset(const po_pair *pairs, size_t count, double tolerance,
-                         char name[PO_FACTOR_LENGTH]);
-
 #endif

@@ -340,7 +340,3 @@ bool po_solver_accepts(const po_solver *solver, const po_request *request,
   }
   return true;
 }
-
-bool po_solver_computes(const po_solver *solver, po_quantity quantity) {
-  return quantity == PO_SOLVED_SHARE || (solver->quantities & (1U << quantity)) != 0;
-}

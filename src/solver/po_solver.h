@@ -86,8 +86,4 @@ po_file_path po_solver_folder(const po_solver *solver, const char *output);
 enum { PO_SOLVER_WHY = 160 };
 bool po_solver_accepts(const po_solver *solver, const po_request *request, char why[PO_SOLVER_WHY]);
 
-/* Reports whether the solver computes a quantity. `solved_share` is computed by none and known of
- * each. */
-bool po_solver_computes(const po_solver *solver, po_quantity quantity);
-
 #endif
