@@ -142,7 +142,8 @@ static void junit_test(const po_case_run *run, const po_finding *finding, po_tex
   name_finding(run, finding, &test);
   po_text_add(text, "    <testcase classname=\"%s\" name=\"%s", run->plan->name, test.what);
   add_escaped(text, test.id);
-  po_text_add(text, "\" time=\"%.3f\"", run->points[finding->point].result.work.seconds);
+  const double seconds = run->points[finding->point].result.work.seconds;
+  po_text_add(text, "\" time=\"%.3f\"", isnan(seconds) ? 0 : seconds);
   if (finding->plain) {
     po_text_add(text, "/>\n");
     return;
@@ -193,32 +194,42 @@ static double cost(const po_work *work, int what) {
   return what == 0 ? work->seconds : what == 1 ? (double)work->points : (double)work->nodes;
 }
 
-/* Returned: the quantile by the nearest rank: the least value that a fraction `part` of the values
- * does not exceed. */
+/* Returned: the quantile by the nearest rank: the least value that a fraction `part` > 0 of the
+ * values does not exceed; NAN without values. */
 static double quantile(const double *sorted, size_t count, double part) {
-  const size_t rank = (size_t)ceil(part * (double)count);
-  return sorted[rank > 0 ? rank - 1 : 0];
+  return count ? sorted[(size_t)ceil(part * (double)count) - 1] : (double)NAN;
 }
 
 static void add_costs(const po_case_run *run, double *space, po_text *text) {
   static const char *const NAMES[] = {"seconds", "points", "nodes"};
+  static const double PARTS[] = {0.5, 0.95, 1.0};
   po_text_add(text, "%-20s %9s %9s %9s\n", "of each solve", "median", "95 %", "greatest");
   for (int what = 0; what < 3; ++what) {
     size_t count = 0;
-    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      if (run->points[i].asked)
-        space[count++] = cost(&run->points[i].result.work, what);
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+      const double value = cost(&run->points[i].result.work, what);
+      if (run->points[i].asked && !isnan(value)) /* the time of an external solver may be unknown */
+        space[count++] = value;
+    }
     qsort(space, count, sizeof *space, po_order_ascending);
-    po_text_add(text, "%-20s %9.4g %9.4g %9.4g\n", NAMES[what], quantile(space, count, 0.5),
-                quantile(space, count, 0.95), space[count - 1]);
+    po_text_add(text, "%-20s", NAMES[what]);
+    for (size_t k = 0; k < 3; ++k) {
+      char number[PO_NUMBER_LENGTH];
+      po_text_add(text, " %9s",
+                  po_number_or("%.4g", quantile(space, count, PARTS[k]), "-", number));
+    }
+    po_text_add(text, "\n");
   }
 }
 
 static void add_command(const po_case_run *run, size_t point, po_text *text) {
   const po_request request = po_plan_request(run->plan, point);
-  char *command = po_input_command(&request);
-  po_text_add(text, "  %s\n", command ? command : "");
-  text->failed = text->failed || !command;
+  char *command = run->plan->solver ? NULL : po_input_command(&request);
+  text->failed = text->failed || !(command || run->plan->solver);
+  po_text_add(text, "  %s", command ? command : "");
+  if (run->plan->solver)
+    po_plan_add_rerun(run->plan, point, text);
+  po_text_add(text, "\n");
   free(command);
 }
 
@@ -251,7 +262,7 @@ static void add_failures(const po_case_run *run, po_text *text) {
   size_t count = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
     const po_result *result = &run->points[i].result;
-    if (!run->points[i].asked || result->status == PO_OK)
+    if (!run->points[i].asked || run->points[i].beyond || result->status == PO_OK)
       continue;
     if (count++ == 0)
       po_text_add(text, "failed\n");

@@ -1,5 +1,6 @@
 #include "po_shard.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -332,8 +333,10 @@ po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) 
     const size_t points = runs[r].plan->kase->point_count;
     po_case_run_ask(&runs[r], &(po_point_range){0, points}, 1);
     runs[r].elapsed = 0;
-    for (size_t i = 0; i < points; ++i)
-      runs[r].elapsed += runs[r].points[i].result.work.seconds;
+    for (size_t i = 0; i < points; ++i) {
+      const double seconds = runs[r].points[i].result.work.seconds;
+      runs[r].elapsed += isnan(seconds) ? 0 : seconds; /* of an external solver, not reported */
+    }
   }
   return status;
 }

@@ -187,6 +187,15 @@ print([(p['id'], p['status'], p['pull_off'], p['folds']) for p in r['points']], 
 strip merged/solvers/good/judged/record.json >a
 strip run/solvers/good/judged/record.json >b
 check 'the merged record is that of one run' cmp a b
+
+# Times that a solver does not report are left out: they made the time of a merged case null, and that of a failed test nan.
+for k in 1 2; do
+  go 0 run judged.yaml --solver part.yaml --shard $k/2 --output parts/$k
+done
+go 0 merge parts/1/solvers/part parts/2/solvers/part --solver part.yaml --output parts
+check 'the time of the merged case' [ "$(value parts/solvers/part/judged/record.json "r['seconds'] > 0")" = True ]
+go 3 verify judged.yaml --solver crash.yaml --output run --junit junit.xml
+check 'a time for each test' [ "$(grep -c 'time="[0-9.]*"' junit.xml)" -eq "$(grep -c 'time=' junit.xml)" ]
 expect 2 'pulloff: * was computed by another program*' merge shards/1/solvers/good shards/2/solvers/good
 
 # Pins of its own.

@@ -116,6 +116,42 @@ START_TEST(a_part_of_a_run) {
 }
 END_TEST
 
+/* Regression: the time of a point that an external solver did not solve is unknown, and made the
+ * quantiles nan; a point that its manifest excludes was listed as failed; and the command solved
+ * with this program. */
+START_TEST(an_external_solver) {
+  po_solver solver = {.name = (char *)"other"};
+  make_seven();
+  made_plan.solver = &solver;
+  snprintf(solver.path.text, sizeof solver.path.text, "other.yaml");
+  for (size_t i = 0; i < COUNT; ++i)
+    solved[i].asked = i == 0 || i == 2 || i == 5;
+  made_run.asked_count = 3;
+  solved[2].result.work.seconds = solved[5].result.work.seconds = NAN;
+  solved[5].beyond = true;
+  summary_is("made: 3 of 7 points\n"
+             "status                  points\n"
+             "ok                           1\n"
+             "not_converged                1\n"
+             "out_of_time                  1\n"
+             "of each solve           median      95 %  greatest\n"
+             "seconds                   0.25      0.25      0.25\n"
+             "points                      40        50        50\n"
+             "nodes                       18        45        45\n"
+             "slowest\n"
+             "point 0, ok, 0.25 s\n"
+             "  pulloff verify made --points 0 --solver other.yaml --fresh --verbose\n"
+             "failed\n"
+             "point 2, out_of_time: time is up\n"
+             "  pulloff verify made --points 2 --solver other.yaml --fresh --verbose\n");
+  solved[0].result.work.seconds = NAN;
+  po_text text = {0};
+  po_summary_add(&made_run, &text);
+  ck_assert_ptr_nonnull(strstr(po_text_string(&text), "seconds                      -         -"));
+  po_text_clear(&text);
+}
+END_TEST
+
 START_TEST(nothing_was_asked_for) {
   make_seven();
   made_run.asked_count = 0;
@@ -157,6 +193,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, only_requested_solves_fail);
   tcase_add_test(tests, a_whole_run);
   tcase_add_test(tests, a_part_of_a_run);
+  tcase_add_test(tests, an_external_solver);
   tcase_add_test(tests, nothing_was_asked_for);
   tcase_add_test(tests, slowest_of_equals);
 }
