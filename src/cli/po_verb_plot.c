@@ -40,6 +40,21 @@ static const char HELP[] =
 static const po_option OPTIONS[] = {
     PO_TEXT("run", po_solve_line, run, "the name of a folder"), PO_SOLVE_LINE_OPTIONS, {0}};
 
+enum { RUN = PO_OPTION_ROWS }; /* the first of them */
+
+typedef struct {
+  po_solve_line line;
+  const po_options *options;
+  bool is_scene; /* an option other than --run is given */
+} plot_line;
+
+/* Takes one option of the command line. */
+static po_status take(void *to, int option) {
+  plot_line *p = to;
+  p->is_scene = p->is_scene || option != RUN;
+  return po_options_take(p->options, &p->line, option);
+}
+
 /* -- The plot of a case -- */
 
 /* The least number of values of both keys; a case with fewer values of one is a set of curves. */
@@ -321,27 +336,28 @@ static bool seeks_all(const po_given *given) {
 
 int po_verb_plot(int argc, char **argv) {
   const po_options options = {
-      "plot", HELP, OPTIONS, argc, argv, PO_SEVERAL, NULL, PO_FOR_SOLVE, po_solve_line_take_key};
-  po_solve_line line = po_solve_line_begin();
+      "plot", HELP, OPTIONS, argc, argv, PO_SEVERAL, NULL, PO_FOR_SOLVE, po_solve_line_take_key,
+      take};
+  plot_line p = {.line = po_solve_line_begin(), .options = &options};
+  po_solve_line *line = &p.line;
   char *name = NULL;
   po_status status = PO_OK;
-  if (!po_options_read(&options, &line, &status))
+  if (!po_options_read(&options, &p, &status))
     return po_options_end(status);
-  const bool scene = optind > (line.run ? 3 : 1); /* options other than --run DIR */
-  status = take_operands(&line, &options, &name);
-  if (!status && name && scene)
+  status = take_operands(line, &options, &name);
+  if (!status && name && p.is_scene)
     status =
         po_fail(PO_BAD_INPUT, "options of a scene have no effect on a case: expected them to be "
                               "left out");
   if (!status && name)
-    return po_options_end(plot_case(name, line.run, line.plot));
-  po_solve_line_add_wants(&line);
-  if (!(line.request.want & PO_PLOT_WANTS))
-    line.request.want |=
-        seeks_all(&line.scene.given) ? PO_WANT_CURVE : PO_WANT_CURVE | PO_WANT_HYSTERESIS;
-  else if (line.request.want & PO_WANT_HYSTERESIS)
-    line.request.want |= PO_WANT_CURVE;
+    return po_options_end(plot_case(name, line->run, line->plot));
+  po_solve_line_add_wants(line);
+  if (!(line->request.want & PO_PLOT_WANTS))
+    line->request.want |=
+        seeks_all(&line->scene.given) ? PO_WANT_CURVE : PO_WANT_CURVE | PO_WANT_HYSTERESIS;
+  else if (line->request.want & PO_WANT_HYSTERESIS)
+    line->request.want |= PO_WANT_CURVE;
   if (!status)
-    status = po_solve_line_end(&line);
-  return po_options_end(status ? status : plot(&line));
+    status = po_solve_line_end(line);
+  return po_options_end(status ? status : plot(line));
 }

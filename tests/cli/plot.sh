@@ -85,6 +85,8 @@ expect 2 'pulloff: plot takes a case and a file that ends in *' plot fig04 fig06
 expect 2 'pulloff: --run is given without a case: expected both' plot --run run
 expect 2 'pulloff: --json has no effect on plot: *' plot --json
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot fig04 --tabor 2
+# The arguments before the case were counted: such options were ignored.
+expect 2 'pulloff: options of a scene have no effect on a case: *' plot --run=run --tabor=2 fig04
 expect 2 'pulloff: unknown option --run of solve *' solve --run run
 . "$here/data.sh"
 # A map of two numbers; three of one number and eight of the other are curves.
