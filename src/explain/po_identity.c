@@ -50,19 +50,26 @@ static po_status compare_point(const po_case_run *run, const po_reference *diges
   return PO_OK;
 }
 
+/* Reports whether a check of a point is against an oracle. */
+static bool is_judge(const po_case_run *run, unsigned check, size_t point) {
+  return run->plan->references[check].ledger == PO_LEDGER_ORACLE &&
+         po_check_concerns(&run->plan->kase->file->checks[check],
+                           &run->plan->kase->points[point].request);
+}
+
 /* The oracles of the checks that concern a point, each once. */
 static void add_oracles(const po_case_run *run, size_t point, po_text *text) {
   const po_case_file *file = run->plan->kase->file;
   const char *before = "";
-  size_t start = text->length;
   for (unsigned c = 0; c < file->checks_count; ++c) {
     char name[64];
-    if (run->plan->references[c].ledger != PO_LEDGER_ORACLE ||
-        !po_check_concerns(&file->checks[c], &run->plan->kase->points[point].request))
+    bool again = !is_judge(run, c, point);
+    for (unsigned k = 0; k < c; ++k)
+      again = again || (is_judge(run, k, point) &&
+                        strcmp(file->checks[k].reference, file->checks[c].reference) == 0);
+    if (again)
       continue;
     po_check_result_reference(&file->checks[c], name);
-    if (text->data && strstr(text->data + start, name))
-      continue;
     po_text_add(text, "%s%s", before, name);
     before = ", ";
   }

@@ -62,6 +62,15 @@ says '^good: 1 of 3 results are not the stored ones; the pull-off force of radiu
 expect 1 '*' verify good --output run --identical --tap
 says '^# good: 1 of 3 results'
 
+# An oracle whose name is part of that of another one was left out.
+cp "$folder/good.yaml" first.yaml
+write_table "$PULLOFF_DATA/reference/zero_force.csv" radius,force 90,1.8 100,1.8 110,1.8
+sed -i 's/^  - {quantity: energy_defect/  - {quantity: pull_off_force, reference: reference\/zero_force.csv, tolerance: 0.5, kind: abs, because: b}\n&/' \
+  "$folder/good.yaml"
+expect 1 '*' verify good --output other --identical
+says ': zero_force, zero can judge it$'
+mv first.yaml "$folder/good.yaml"
+
 # More than rounding, and a force that was not there.
 alter "s/^1,.*/1,0123456789abcdef,${force%????????????}999999999999/"
 expect 1 '*' verify good --output run
