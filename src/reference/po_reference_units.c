@@ -38,6 +38,14 @@ static void convert_column(po_csv *table, size_t column, double factor, store *t
     convert(&table->cells[r * table->column_count + column], factor, to);
 }
 
+/* Reports whether another column has the same name. */
+static bool has_twin(const po_csv *table, size_t column) {
+  for (size_t c = 0; c < table->column_count; ++c)
+    if (c != column && strcmp(table->columns[c], table->columns[column]) == 0)
+      return true;
+  return false;
+}
+
 static const char UNCERTAINTY[] = "uncertainty";
 
 /* Converts an uncertainty without a unit. Given: its column, -1: none; the one factor of all
@@ -74,7 +82,7 @@ po_status po_reference_use_units(po_reference *reference, const po_units *units)
     if (!has_unit(table->columns[c], units, &stem, &factor))
       continue;
     table->columns[c][stem] = '\0';
-    if (po_csv_find_column(table, table->columns[c]) != (int)c)
+    if (has_twin(table, c))
       return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is given twice, in two units",
                      table->path, table->column_line, table->columns[c]);
     if (po_key_of_name(table->columns[c]) < 0) /* not of a key, which has no uncertainty */
