@@ -109,66 +109,57 @@ static bool is_explained(const po_case_run *run, const po_explain_choice *choice
   return po_explain_concerns(run, choice, finding) && (choice->all || !finding->plain);
 }
 
-/* Returned: the command that repeats the solve of a point, with its time limit; for a curve, with
- * the option that writes it. */
-static char *command_of(const po_case_run *run, size_t point, bool curve) {
-  const po_request request = po_plan_request(run->plan, point);
+/* Adds the solve of a point by this program, with its time limit; for a curve, with the option that
+ * writes it. */
+static void add_solve(const po_case_run *run, const po_finding *finding, po_text *text) {
+  const po_request request = po_plan_request(run->plan, finding->point);
+  const bool curve = finding->item && finding->item->check->quantity == PO_CURVE;
   char *solve = po_input_command(&request);
-  po_text text = {0};
-  po_text_add(&text, "%s%s", solve ? solve : "", curve ? " --curve curve.csv" : "");
-  text.failed = text.failed || !solve;
+  text->failed = text->failed || !solve;
+  po_text_add(text, "%s%s", solve ? solve : "", curve ? " --curve curve.csv" : "");
   free(solve);
-  return po_text_take(&text);
 }
 
-/* The commands of a result or of a failed solve. */
-typedef struct {
-  char *rerun;   /* repeats it; NULL: there is no memory */
-  char *compare; /* for an external solver, the solve of the point by this program; NULL: none */
-} commands;
-
-/* Returned: the command by which an external solver is asked for a point again. */
-static char *ask_again(const po_case_run *run, size_t point, const char *output) {
+/* Returned: the command that repeats a result or a failed solve; of a result of all points together
+ * it repeats the first failed solve, or verifies if none failed. In *compare, for an external
+ * solver, the solve of the point by this program; else it stays empty. */
+static po_text command_of(const po_case_run *run, const po_finding *finding, const char *output,
+                          po_text *compare) {
   po_text text = {0};
-  po_plan_add_rerun(run->plan, point, &text);
-  if (output) {
-    po_text_add(&text, " --output ");
-    po_text_add_word(&text, output);
-  }
-  return po_text_take(&text);
+  if (finding->item && finding->item->whole && !run->points[finding->point].result.status) {
+    po_text_add(&text, "pulloff verify %s", po_case_word(run->plan->kase));
+    po_plan_add_solver(run->plan, &text);
+  } else if (run->plan->solver) {
+    add_solve(run, finding, compare);
+    po_plan_add_rerun(run->plan, finding->point, &text);
+    if (output) {
+      po_text_add(&text, " --output ");
+      po_text_add_word(&text, output);
+    }
+  } else
+    add_solve(run, finding, &text);
+  return text;
 }
 
-static commands commands_of(const po_case_run *run, size_t point, bool curve, const char *output) {
-  char *own = command_of(run, point, curve);
-  return run->plan->solver ? (commands){ask_again(run, point, output), own} : (commands){own, NULL};
-}
-
-/* For a result of all points together they are those of the first failed solve, or `verify` if none
- * failed. */
-static commands commands_of_item(const po_case_run *run, const po_check_result *item,
-                                 const char *output) {
-  if (!item->whole || run->points[item->point].result.status != PO_OK)
-    return commands_of(run, item->point, item->check->quantity == PO_CURVE, output);
-  po_text text = {0};
-  po_text_add(&text, "pulloff verify %s", po_case_word(run->plan->kase));
-  po_plan_add_solver(run->plan, &text);
-  return (commands){text.data, NULL};
-}
-
-/* Adds the lines of the commands, and frees these. */
-static void add_commands(commands c, po_text *text) {
-  po_text_add(text, "  rerun      %s\n", c.rerun ? c.rerun : "");
-  if (c.compare)
-    po_text_add(text, "  compare    %s\n", c.compare);
+static void add_commands(const po_case_run *run, const po_finding *finding, const char *output,
+                         po_text *text) {
+  po_text compare = {0}, command = command_of(run, finding, output, &compare);
+  po_text_add(text, "  rerun      %s\n", po_text_string(&command));
+  if (compare.length)
+    po_text_add(text, "  compare    %s\n", po_text_string(&compare));
   po_text_add(text, "\n");
-  free(c.rerun);
-  free(c.compare);
+  text->failed = text->failed || command.failed || compare.failed;
+  po_text_clear(&command);
+  po_text_clear(&compare);
 }
 
-/* Adds the commands to an object, and frees them. */
-static void set_commands(commands c, json_t **object) {
-  po_json_set(object, "command", po_json_take_text(c.rerun));
-  po_json_set(object, "compare", c.compare ? po_json_take_text(c.compare) : json_null());
+static void set_commands(const po_case_run *run, const po_finding *finding, const char *output,
+                         json_t **object) {
+  po_text compare = {0}, command = command_of(run, finding, output, &compare);
+  po_json_set(object, "command", po_json_take_text(po_text_take(&command)));
+  po_json_set(object, "compare",
+              compare.length || compare.failed ? po_json_take_text(po_text_take(&compare))
+                                               : json_null());
 }
 
 static void explain_numbers(const po_check_result *item, po_text *text) {
@@ -188,14 +179,14 @@ static void explain_numbers(const po_check_result *item, po_text *text) {
                 check->tolerance_text, check->kind_text);
 }
 
-static void explain_item(const po_case_run *run, const po_check_result *item, const char *output,
+static void explain_item(const po_case_run *run, const po_finding *finding, const char *output,
                          po_text *text) {
-  const po_case *kase = run->plan->kase;
+  const po_check_result *item = finding->item;
   char place[PO_PLACE_LENGTH] = "";
   po_blame blame;
   po_blame_find(run, item, &blame);
   po_text_add(text, "%s %s %s: %s\n", run->plan->name, item->subject,
-              item->whole ? "-" : kase->points[item->point].label, po_verdict_name(item->verdict));
+              finding->label ? finding->label : "-", po_verdict_name(item->verdict));
   explain_numbers(item, text);
   if (isfinite(item->approach)) {
     po_place_describe(&run->points[item->point].result, item->approach, item->load, place);
@@ -207,7 +198,7 @@ static void explain_item(const po_case_run *run, const po_check_result *item, co
   if (blame.why[0])
     po_text_add(text, "  fault      %s: %s\n", blame.side, blame.why);
   po_text_add(text, "  tolerance  because %s\n", item->check->because);
-  add_commands(commands_of_item(run, item, output), text);
+  add_commands(run, finding, output, text);
 }
 
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text) {
@@ -218,20 +209,19 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
       continue;
     explained += f.item != NULL;
     if (f.item)
-      explain_item(run, f.item, choice->output, text);
+      explain_item(run, &f, choice->output, text);
     else {
       po_text_add(text, "%s solve %s: failed\n  reason     %s\n", run->plan->name, f.label,
                   run->points[f.point].result.reason);
-      add_commands(commands_of(run, f.point, false, choice->output), text);
+      add_commands(run, &f, choice->output, text);
     }
   }
   po_text_add(text, "%s: %zu of %zu checks explained%s\n", run->plan->name, explained, considered,
               explained < considered ? ", the others are within" : "");
 }
 
-static json_t *item_json(const po_case_run *run, const po_check_result *item, const char *output) {
-  const po_case *kase = run->plan->kase;
-  const po_point *point = &kase->points[item->point];
+static json_t *item_json(const po_case_run *run, const po_finding *finding, const char *output) {
+  const po_check_result *item = finding->item;
   const po_check *check = item->check;
   char place[PO_PLACE_LENGTH] = "";
   po_blame blame;
@@ -244,9 +234,9 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item, co
                            {"special_points", po_json_text(place)});
   }
   json_t *object = PO_JSON_OBJECT(
-      {"id", po_json_text(item->id)}, {"point", po_json_text(item->whole ? NULL : point->id)},
-      {"label", po_json_text(item->whole ? NULL : point->label)},
-      {"quantity", po_json_text(item->quantity)},
+      {"id", po_json_text(item->id)},
+      {"point", po_json_text(item->whole ? NULL : run->plan->kase->points[item->point].id)},
+      {"label", po_json_text(finding->label)}, {"quantity", po_json_text(item->quantity)},
       {"ledger", po_json_text(po_ledger_name(item->ledger))},
       {"verdict", po_json_text(po_verdict_name(item->verdict))},
       {"passes", json_boolean(po_verdict_passes(item->verdict))},
@@ -257,15 +247,16 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item, co
       {"reference", po_json_text(po_reference_shown(item->reference))}, {"where", where},
       {"fault", po_json_text(blame.side)}, {"why", po_json_text(blame.why)},
       {"because", po_json_text(check->because)}, {"note", po_json_text(item->note)});
-  set_commands(commands_of_item(run, item, output), &object);
+  set_commands(run, finding, output, &object);
   return object;
 }
 
-static json_t *failure_json(const po_case_run *run, size_t point, const char *output) {
-  json_t *object = PO_JSON_OBJECT({"point", po_json_text(run->plan->kase->points[point].id)},
-                                  {"label", po_json_text(run->plan->kase->points[point].label)},
-                                  {"reason", po_json_text(run->points[point].result.reason)});
-  set_commands(commands_of(run, point, false, output), &object);
+static json_t *failure_json(const po_case_run *run, const po_finding *finding, const char *output) {
+  json_t *object =
+      PO_JSON_OBJECT({"point", po_json_text(run->plan->kase->points[finding->point].id)},
+                     {"label", po_json_text(finding->label)},
+                     {"reason", po_json_text(run->points[finding->point].result.reason)});
+  set_commands(run, finding, output, &object);
   return object;
 }
 
@@ -273,9 +264,8 @@ json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice)
   json_t *checks = po_json_empty_array(), *failed = po_json_empty_array();
   for (po_finding f = {0}; po_finding_next(run, &f);)
     if (is_explained(run, choice, &f))
-      po_json_append(f.item ? &checks : &failed, f.item
-                                                     ? item_json(run, f.item, choice->output)
-                                                     : failure_json(run, f.point, choice->output));
+      po_json_append(f.item ? &checks : &failed, f.item ? item_json(run, &f, choice->output)
+                                                        : failure_json(run, &f, choice->output));
   return PO_JSON_OBJECT({"schema", po_json_text("pulloff-explain/1")},
                         {"case", po_json_text(run->plan->kase->file->name)},
                         {"verdict", po_json_text(po_case_run_verdict(run))}, {"checks", checks},
