@@ -86,13 +86,10 @@ static po_status print_needs(const po_plan *plan) {
   return PO_OK;
 }
 
-static po_status print_plan(const po_case *kase) {
-  po_plan *plan = NULL;
-  po_status status = po_plan_create(kase, po_environment_data(), NULL, &plan);
-  if (status)
-    return status;
+static po_status print_plan(const po_plan *plan) {
+  const po_case *kase = plan->kase;
   json_t *lines = po_plan_describe(plan);
-  status = lines ? PO_OK : PO_NO_MEMORY;
+  po_status status = lines ? PO_OK : PO_NO_MEMORY;
   if (!status)
     printf("%s: %s\n", kase->file->name, kase->file->title);
   for (size_t i = 0; i < json_array_size(lines); ++i)
@@ -106,7 +103,6 @@ static po_status print_plan(const po_case *kase) {
                           !po_pins_exist(&plan->references[c]));
   if (lacking)
     po_print_bless(kase);
-  po_plan_destroy(plan);
   return status;
 }
 
@@ -119,20 +115,13 @@ static json_t *point_json(const po_plan *plan, size_t i) {
                         {"bytes", po_json_number(size.bytes)});
 }
 
-/* The plan of a case, added to an array. */
-static po_status append_plan(const po_case *kase, json_t **plans) {
-  po_plan *plan = NULL;
-  const po_status status = po_plan_create(kase, po_environment_data(), NULL, &plan);
-  if (status)
-    return status;
+static json_t *plan_json(const po_plan *plan) {
+  const po_case_file *file = plan->kase->file;
   json_t *points = po_json_empty_array();
-  for (size_t i = 0; i < kase->point_count; ++i)
+  for (size_t i = 0; i < plan->kase->point_count; ++i)
     po_json_append(&points, point_json(plan, i));
-  po_json_append(plans, PO_JSON_OBJECT({"case", po_json_text(kase->file->name)},
-                                       {"title", po_json_text(kase->file->title)},
-                                       {"plan", po_plan_describe(plan)}, {"points", points}));
-  po_plan_destroy(plan);
-  return PO_OK;
+  return PO_JSON_OBJECT({"case", po_json_text(file->name)}, {"title", po_json_text(file->title)},
+                        {"plan", po_plan_describe(plan)}, {"points", points});
 }
 
 int po_verb_plan(int argc, char **argv) {
@@ -150,8 +139,15 @@ int po_verb_plan(int argc, char **argv) {
                              (po_suites){0}, &catalog);
   if (json)
     plans = po_json_empty_array();
-  for (size_t i = 0; !status && i < catalog.count; ++i)
-    status = json ? append_plan(catalog.cases[i], &plans) : print_plan(catalog.cases[i]);
+  for (size_t i = 0; !status && i < catalog.count; ++i) {
+    po_plan *plan = NULL;
+    status = po_plan_create(catalog.cases[i], po_environment_data(), NULL, &plan);
+    if (!status && json)
+      po_json_append(&plans, plan_json(plan));
+    else if (!status)
+      status = print_plan(plan);
+    po_plan_destroy(plan);
+  }
   if (json && !status)
     status = po_print_document(PO_JSON_OBJECT({"schema", po_json_text("pulloff-plan/1")},
                                               {"memory", po_json_number(po_memory_of_machine())},

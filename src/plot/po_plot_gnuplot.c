@@ -19,12 +19,12 @@ enum { MOST_ABOVE = 8 };
 /* The height of a picture with one row of panels, and that of each of several, pixels. */
 enum { ONE_ROW = 400, ROW = 340 };
 
-/* Appends an assignment of a text to a variable of a script. */
-static void assign(po_text *script, const char *variable, const char *value) {
-  po_text_add(script, "%s = '", variable);
-  for (const char *c = value; *c; ++c)
+/* Appends a text in quotes, after a word, and what follows it. */
+static void add_quoted(po_text *script, const char *word, const char *text, const char *after) {
+  po_text_add(script, "%s'", word);
+  for (const char *c = text; *c; ++c)
     po_text_add(script, *c == '\'' ? "''" : "%c", *c);
-  po_text_add(script, "'\n");
+  po_text_add(script, "'%s", after);
 }
 
 static void add_label(po_text *script, const char *which, const po_plot_axis *axis,
@@ -94,13 +94,10 @@ static void add_series(po_text *plot, const po_plot_series *s, size_t number, do
   else
     po_text_add(plot, "$series%zu using %s @%s ", number,
                 po_plot_is_jump(s->style) ? "1:2:3:4" : "1:2", macro);
-  if (!*s->title)
-    po_text_add(plot, "notitle");
+  if (*s->title)
+    add_quoted(plot, "title ", s->title, "");
   else
-    po_text_add(plot, "title '");
-  for (const char *c = s->title; *c; ++c)
-    po_text_add(plot, *c == '\'' ? "''" : "%c", *c);
-  po_text_add(plot, *s->title ? "'" : "");
+    po_text_add(plot, "notitle");
 }
 
 static void add_panel(po_text *script, po_plot_panel *panel) {
@@ -249,13 +246,13 @@ static po_status add_file(po_text *script, const char *folder, const char *name)
 po_status po_plot_draw(po_plot_picture *picture, const char *figures, const char *file) {
   const po_plot_map *map = picture->map;
   po_text script = {0}, figure = {0};
-  assign(&script, "figure_terminal", ending_of(file));
-  assign(&script, "figure_output", "");
-  assign(&script, "caption", picture->caption);
+  add_quoted(&script, "figure_terminal = ", ending_of(file), "\n");
+  add_quoted(&script, "figure_output = ", "", "\n");
+  add_quoted(&script, "caption = ", picture->caption, "\n");
   if (map) {
-    assign(&script, "x_name", map->x_name);
-    assign(&script, "y_name", map->y_name);
-    assign(&script, "load_unit", po_plot_load_unit(picture->load_unit));
+    add_quoted(&script, "x_name = ", map->x_name, "\n");
+    add_quoted(&script, "y_name = ", map->y_name, "\n");
+    add_quoted(&script, "load_unit = ", po_plot_load_unit(picture->load_unit), "\n");
     add_map(map, &script);
   } else
     po_text_add(&script, "panel_count = %zu\nfigure_height = %d\n", picture->count,
