@@ -41,8 +41,7 @@ int po_verb_merge(int argc, char **argv) {
   po_status status = PO_OK;
   if (!po_options_read(&options, &session, &status))
     return po_options_end(status);
-  if (session.manifest_count > 1)
-    status = po_fail(PO_BAD_INPUT, "merge takes one solver: expected --solver once");
+  status = po_session_check_one(&session, &options);
   if (!status && optind == argc)
     status =
         po_fail(PO_BAD_INPUT, "merge needs the folders of the shards (see pulloff merge --help)");

@@ -258,16 +258,21 @@ po_status po_session_run(po_session *session, char *const *names, size_t count) 
   return status ? status : po_session_solve(session);
 }
 
-po_status po_session_open_one(po_session *session, const po_options *options) {
-  if (options->argc - optind != 1)
-    return po_fail(PO_BAD_INPUT, "%s needs the name of one case (see pulloff %s --help)",
-                   options->verb, options->verb);
+po_status po_session_check_one(const po_session *session, const po_options *options) {
   if (session->manifest_count > 1)
     return po_fail(PO_BAD_INPUT, "%s takes one solver: expected --solver once", options->verb);
   if (session->knob && strcmp(session->knob, ALL) == 0)
     return po_fail(PO_BAD_INPUT, "%s takes one value of the knob: expected --knob VALUE",
                    options->verb);
-  return po_session_open(session, options->argv + optind, 1);
+  return PO_OK;
+}
+
+po_status po_session_open_one(po_session *session, const po_options *options) {
+  if (options->argc - optind != 1)
+    return po_fail(PO_BAD_INPUT, "%s needs the name of one case (see pulloff %s --help)",
+                   options->verb, options->verb);
+  const po_status status = po_session_check_one(session, options);
+  return status ? status : po_session_open(session, options->argv + optind, 1);
 }
 
 size_t po_session_failures(const po_session *session) {

@@ -73,6 +73,9 @@ const char *po_session_output(const po_session *session);
  * case is run if one of them is wrong. Status: as po_run. */
 po_status po_session_run(po_session *session, char *const *names, size_t count);
 
+/* Refuses several solvers, or several values of a knob. Status: PO_BAD_INPUT. */
+po_status po_session_check_one(const po_session *session, const po_options *options);
+
 /* The same in two steps. po_session_open_one expects one operand, for the verbs that take one case.
  */
 po_status po_session_open(po_session *session, char *const *names, size_t count);

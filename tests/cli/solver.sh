@@ -188,6 +188,10 @@ strip merged/solvers/good/judged/record.json >a
 strip run/solvers/good/judged/record.json >b
 check 'the merged record is that of one run' cmp a b
 
+# With all values of its knob, merge would solve with those that the shards do not have.
+expect 2 'pulloff: merge takes one value of the knob: expected --knob VALUE' \
+  merge shards/1/solvers/good shards/2/solvers/good --solver good.yaml --knob all
+
 # Times that a solver does not report are left out: they made the time of a merged case null, and that of a failed test nan.
 for k in 1 2; do
   go 0 run judged.yaml --solver part.yaml --shard $k/2 --output parts/$k
