@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_elementary.h"
@@ -114,10 +113,8 @@ static bool is_explained(const po_case_run *run, const po_explain_choice *choice
 static void add_solve(const po_case_run *run, const po_finding *finding, po_text *text) {
   const po_request request = po_plan_request(run->plan, finding->point);
   const bool curve = finding->item && finding->item->check->quantity == PO_CURVE;
-  char *solve = po_input_command(&request);
-  text->failed = text->failed || !solve;
-  po_text_add(text, "%s%s", solve ? solve : "", curve ? " --curve curve.csv" : "");
-  free(solve);
+  po_input_add_command(&request, text);
+  po_text_add(text, "%s", curve ? " --curve curve.csv" : "");
 }
 
 /* Returned: the command that repeats a result or a failed solve; of a result of all points together

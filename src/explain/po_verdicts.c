@@ -224,13 +224,12 @@ static void add_costs(const po_case_run *run, double *space, po_text *text) {
 
 static void add_command(const po_case_run *run, size_t point, po_text *text) {
   const po_request request = po_plan_request(run->plan, point);
-  char *command = run->plan->solver ? NULL : po_input_command(&request);
-  text->failed = text->failed || !(command || run->plan->solver);
-  po_text_add(text, "  %s", command ? command : "");
+  po_text_add(text, "  ");
   if (run->plan->solver)
     po_plan_add_rerun(run->plan, point, text);
+  else
+    po_input_add_command(&request, text);
   po_text_add(text, "\n");
-  free(command);
 }
 
 /* Adds the slowest solves. Each is found by a search through all points, as there are few. */

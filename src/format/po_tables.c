@@ -114,16 +114,14 @@ static po_status write_text(const char *path, const po_text *text) {
 static po_status write_table(const char *path, const po_request *request, const char *what,
                              const char *units, po_text *rows, char *digest) {
   char own[PO_DIGEST_LENGTH];
-  char *command = po_input_command(request);
   po_text header = {0}, text = {0};
-  po_text_add(&header, "# what: %s\n# units: %s\n# command: %s\n", what, units,
-              command ? command : "");
+  po_text_add(&header, "# what: %s\n# units: %s\n# command: ", what, units);
+  po_input_add_command(request, &header);
+  po_text_add(&header, "\n");
   po_csv_seal(&header, rows, &text, own);
-  const bool failed = text.failed || !command;
-  const po_status status = failed ? PO_NO_MEMORY : write_text(path, &text);
+  const po_status status = text.failed ? PO_NO_MEMORY : write_text(path, &text);
   if (digest)
     memcpy(digest, own, sizeof own);
-  free(command);
   po_text_clear(rows);
   po_text_clear(&header);
   po_text_clear(&text);

@@ -12,6 +12,7 @@
 #include "po_key_rows.h"
 #include "po_number.h"
 #include "po_request.h"
+#include "po_text.h"
 
 #define PO_KEY_ENUMERATOR(key, ...) PO_KEY_##key,
 typedef enum {
@@ -135,12 +136,12 @@ const char *po_input_load_unit(const po_request *request);
  * branch that is traced, and the time limit. */
 bool po_key_is_of_scene(po_key key);
 
-/* Returned: a command line, e.g. "pulloff solve --tabor 1 ...", that repeats the solve and does not
- * search beyond its preload, to be freed; NULL if memory runs out. */
-char *po_input_command(const po_request *request);
+/* Appends a command line, e.g. "pulloff solve --tabor 1 ...", that repeats the solve and does not
+ * search beyond its preload. */
+void po_input_add_command(const po_request *request, po_text *text);
 
-/* Returned: a text that differs for solves that may have different results, to be freed: the
- * command, with the content of a table instead of its path; NULL if memory runs out. */
-char *po_input_identity(const po_request *request);
+/* Appends a text that differs for solves that may have different results: the command, with the
+ * content of a table instead of its path. */
+void po_input_add_identity(const po_request *request, po_text *text);
 
 #endif

@@ -122,32 +122,30 @@ static void add_option(po_text *command, const po_request *request, po_key key, 
     po_text_add(command, "%s", value);
 }
 
-static char *describe(const po_request *request, bool identity) {
-  po_text command = {0};
-  po_text_add(&command, "pulloff solve");
+static void describe(const po_request *request, bool identity, po_text *command) {
+  po_text_add(command, "pulloff solve");
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (!po_key_is_idle(request, (po_key)key) &&
         (identity || key != PO_KEY_RADIUS || !po_input_has_coupling(request)))
-      add_option(&command, request, (po_key)key, identity);
+      add_option(command, request, (po_key)key, identity);
   /* without the preload, a single solve would search beyond the default one */
   if (adds_preload(request)) {
     char load[PO_NUMBER_LENGTH];
     po_number_print(po_load_unit_preload(request).load, load);
-    po_text_add(&command, " --preload-load %s", load);
+    po_text_add(command, " --preload-load %s", load);
   }
   const char *before = " --want ";
   for (int k = 0; k < PO_WANT_COUNT; ++k)
     if (request->want & (1u << k)) {
-      po_text_add(&command, "%s%s", before, po_want_name(k));
+      po_text_add(command, "%s%s", before, po_want_name(k));
       before = ",";
     }
-  return po_text_take(&command);
 }
 
-char *po_input_command(const po_request *request) {
-  return describe(request, false);
+void po_input_add_command(const po_request *request, po_text *text) {
+  describe(request, false, text);
 }
 
-char *po_input_identity(const po_request *request) {
-  return describe(request, true);
+void po_input_add_identity(const po_request *request, po_text *text) {
+  describe(request, true, text);
 }

@@ -39,8 +39,10 @@ char *po_plot_caption(const po_request *request) {
   const po_scene *scene = &request->scene;
   po_text text = {0};
   const po_units *units = &request->units;
-  if (!request->in_si)
-    return po_input_command(request);
+  if (!request->in_si) {
+    po_input_add_command(request, &text);
+    return po_text_take(&text);
+  }
   if (po_profile_is_sphere(&scene->profile)) {
     add_quantity(&text, "R", scene->radius * units->length, "m");
   } else {

@@ -166,10 +166,8 @@ static po_status make_keys(po_plan *plan) {
   if (kase->file->traced)
     po_text_add(&text, "%s|%s|", kase->file->traced->seed_text, kase->file->traced->count_text);
   for (size_t i = 0; i < kase->point_count; ++i) {
-    char *command = po_input_identity(&kase->points[i].request);
-    po_text_add(&text, "%s|", command ? command : "");
-    text.failed = text.failed || !command;
-    free(command);
+    po_input_add_identity(&kase->points[i].request, &text);
+    po_text_add(&text, "|");
   }
   po_digest_bytes(po_text_string(&text), text.length, plan->solve_key);
   for (unsigned i = 0; po_case_check(kase->file, i); ++i)

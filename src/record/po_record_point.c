@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_file.h"
@@ -193,9 +192,13 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
   return status ? status : *entry ? PO_OK : PO_NO_MEMORY;
 }
 
-static json_t *rerun_json(const po_plan *plan, size_t point) {
+/* Returned: the command that repeats the solve of a point. */
+static json_t *command_json(const po_plan *plan, size_t point, const po_request *shown) {
   po_text text = {0};
-  po_plan_add_rerun(plan, point, &text);
+  if (plan->solver)
+    po_plan_add_rerun(plan, point, &text);
+  else
+    po_input_add_command(shown, &text);
   return po_json_take_text(po_text_take(&text));
 }
 
@@ -227,9 +230,7 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
     po_json_set(&object, COLUMNS[c].name, times(run, index, c));
   if (run->starts)
     po_json_set(&object, "timing", timing_json(run, index));
-  po_json_set(&object, "command",
-              run->plan->solver ? rerun_json(run->plan, index)
-                                : po_json_take_text(po_input_command(&shown)));
+  po_json_set(&object, "command", command_json(run->plan, index, &shown));
   if (point->traced)
     po_json_set(&object, "traced", sealed_result(&shown, &run->points[index].trace));
   if (kase->is_physical) {
@@ -243,16 +244,14 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
 po_status po_record_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
   const po_plan *plan = run->plan;
   po_text text = {0};
-  char *command = po_input_identity(&plan->kase->points[point].request);
-  po_text_add(&text, "%s|%u|%u|%s", plan->program, plan->want, plan->kase->repeats,
-              command ? command : "");
+  po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, plan->kase->repeats);
+  po_input_add_identity(&plan->kase->points[point].request, &text);
   if (plan->kase->series_length > 1)
     po_text_add(&text, "|%s", plan->solve_key);
-  const bool made = command && !text.failed;
+  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
   po_digest_bytes(po_text_string(&text), text.length, key);
-  free(command);
   po_text_clear(&text);
-  return made ? PO_OK : PO_NO_MEMORY;
+  return status;
 }
 
 /* The checksum of an entry that has none yet: of the key of its point and of all its members. */

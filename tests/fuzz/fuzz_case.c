@@ -20,10 +20,10 @@ static void require_points(const po_case *kase) {
       continue; /* the first, the last, and a few between */
     fuzz_require_words("a label", point->label, false);
     fuzz_require_request(&point->request);
-    char *command = po_input_command(&point->request);
-    fuzz_require(command != NULL, "point %zu has no command", i);
-    fuzz_require_words("a command", command, false);
-    free(command);
+    po_text command = {0};
+    po_input_add_command(&point->request, &command);
+    fuzz_require_words("a command", command.data, false);
+    po_text_clear(&command);
   }
 }
 

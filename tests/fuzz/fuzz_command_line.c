@@ -126,10 +126,10 @@ static void require_command(void) {
   const po_request before = solved;
   char *argv[MOST_ARGUMENTS], *rest = NULL;
   int argc = 0;
-  char *command = po_input_command(&before);
-  fuzz_require(command != NULL, "a request has no command");
-  fuzz_require_words("a command", command, false);
-  for (char *word = strtok_r(command, " ", &rest); word; word = strtok_r(NULL, " ", &rest))
+  po_text command = {0};
+  po_input_add_command(&before, &command);
+  fuzz_require_words("a command", command.data, false);
+  for (char *word = strtok_r(command.data, " ", &rest); word; word = strtok_r(NULL, " ", &rest))
     argv[argc++] = word;
   argv[argc] = NULL;
   run(argc, argv);
@@ -142,7 +142,7 @@ static void require_command(void) {
                  "%s is %.17g in a request, and %.17g in that of its command",
                  po_key_name((po_key)key), a, b);
   }
-  free(command);
+  po_text_clear(&command);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -85,9 +85,10 @@ START_TEST(label_and_command_are_exact) {
     ck_assert(wavelength == request->scene.wavelength && amplitude == request->scene.amplitude);
     ck_assert(wavelength >= 0.39999 * sqrt(radius) && wavelength <= 6.00001 * sqrt(radius));
     ck_assert(amplitude <= 1.00001 * wavelength);
-    char *command = po_input_command(request);
+    po_text command = {0};
+    po_input_add_command(request, &command);
     double again[4];
-    ck_assert_int_eq(sscanf(command,
+    ck_assert_int_eq(sscanf(command.data,
                             "pulloff solve --tabor %lf --amplitude %lf --wavelength %lf --radius "
                             "%lf --outer-radius inf --scheme panel --tolerance 0.0001 --time-limit "
                             "20",
@@ -95,7 +96,7 @@ START_TEST(label_and_command_are_exact) {
                      4);
     ck_assert(again[0] == tabor && again[1] == amplitude && again[2] == wavelength &&
               again[3] == radius);
-    free(command);
+    po_text_clear(&command);
   }
   po_case_destroy(kase);
 }
@@ -130,14 +131,15 @@ START_TEST(the_command_states_the_preload_if_the_load_may_have_several_minima) {
   if (IN_TABLE[_i] >= 0)
     set_table(&request, IN_TABLE[_i]);
   request.scene.tabor = po_scene_tabor_of_coupling(0.05, request.scene.radius);
-  char *command = po_input_command(&request);
-  const char *stated = strstr(command, " --preload-load ");
+  po_text command = {0};
+  po_input_add_command(&request, &command);
+  const char *stated = strstr(command.data, " --preload-load ");
   ck_assert_int_eq(stated != NULL, _i % 2);
   /* a profile that is no sphere is pressed to half the pull-off force of JKR or so, in pi w eps */
   const double load = stated ? strtod(stated + strlen(" --preload-load "), NULL) : 0.0;
   ck_assert_double_ge(load, _i == 3 ? 50.0 : _i == 1);
   ck_assert_double_le(load, _i == 3 ? 500.0 : 1.0);
-  free(command);
+  po_text_clear(&command);
 }
 END_TEST
 
