@@ -309,12 +309,19 @@ static po_status take_operands(po_solve_line *line, const po_options *options, c
     return po_fail(PO_BAD_INPUT,
                    "plot takes a case and a file that ends in .svg, .png or .pdf (see "
                    "pulloff plot --help)");
-  line->plot = figure ? operand[count - 1] : NULL;
+  if (figure)
+    line->plot = operand[count - 1];
   *name = count > figure ? operand[0] : NULL;
   if (line->run && !*name)
     return po_fail(PO_BAD_INPUT, "--run is given without a case: expected both");
-  return line->json
-             ? po_fail(PO_BAD_INPUT, "--json has no effect on plot: expected it to be left out")
+  const char *idle = line->json        ? "json"
+                     : line->curve     ? "curve"
+                     : line->profile   ? "profile-csv"
+                     : line->staircase ? "staircase"
+                     : line->smoothed  ? "smoothed"
+                                       : NULL;
+  return idle
+             ? po_fail(PO_BAD_INPUT, "--%s has no effect on plot: expected it to be left out", idle)
              : PO_OK;
 }
 

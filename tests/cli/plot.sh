@@ -68,6 +68,8 @@ if command -v gnuplot >/dev/null; then
   check 'folds' test "$(grep -c -e '>jump_in<' -e '>jump_out<' folds.svg)" -ge 2
   expect 0 '' solve --tabor 0 --plot rigid.svg
   check 'a rigid sphere' drawn rigid.svg
+  expect 0 '' plot --tabor 0 --plot given.svg
+  check 'the figure may be given as to solve' drawn given.svg
   expect 4 'pulloff: nowhere/a.svg cannot be written: *' solve --tabor 1 --plot nowhere/a.svg
   check 'the result is printed although the figure is not' grep -q '^pull-off force 1.67066' stdout
   expect 0 '*' plot fig04 --run run fig04.svg
@@ -84,6 +86,10 @@ expect 2 'pulloff: --plot is a.gif: expected the name of a file that ends in .sv
 expect 2 'pulloff: plot takes a case and a file that ends in *' plot fig04 fig06
 expect 2 'pulloff: --run is given without a case: expected both' plot --run run
 expect 2 'pulloff: --json has no effect on plot: *' plot --json
+# These files were not written, and the exit code was 0.
+expect 2 'pulloff: --curve has no effect on plot: *' plot --tabor 0 --curve curve.csv
+expect 2 'pulloff: --profile-csv has no effect on plot: *' plot --tabor 0 --profile profile.csv
+expect 2 'pulloff: --staircase has no effect on plot: *' plot --tabor 0 --staircase steps.csv
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot fig04 --tabor 2
 # The arguments before the case were counted: such options were ignored.
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot --run=run --tabor=2 fig04
