@@ -136,17 +136,14 @@ static void add_headers(const char *path, const char *const values[HEADERS],
 
 /* Writes the table to a file beside it, reads that as a reference, and takes its place. */
 static po_status replace(const char *path, const po_text *text) {
-  po_text beside = {0};
+  po_file_path beside;
   po_reference reference = {0};
-  po_text_add(&beside, "%s.seal-%ld", path, (long)getpid());
-  if (beside.failed)
-    return PO_NO_MEMORY;
-  po_status status = po_file_write(beside.data, text->data, text->length);
+  snprintf(beside.text, sizeof beside.text, "%s.seal-%ld", path, (long)getpid());
+  po_status status = po_file_write(beside.text, text->data, text->length);
   if (!status)
-    status = po_reference_read(beside.data, path, &reference);
+    status = po_reference_read(beside.text, path, &reference);
   po_reference_close(&reference);
-  unlink(beside.data);
-  po_text_clear(&beside);
+  unlink(beside.text);
   return status ? status : po_file_write(path, text->data, text->length);
 }
 
@@ -174,7 +171,7 @@ static po_status seal(const char *path, const char *const values[HEADERS]) {
   if (!status) {
     add_headers(path, values, had, &header);
     po_csv_seal(&header, &rows, &text, digest);
-    status = text.failed || header.failed || rows.failed ? PO_NO_MEMORY : replace(path, &text);
+    status = replace(path, &text);
   }
   free(bytes);
   po_text_clear(&header);

@@ -290,7 +290,7 @@ static po_status write_table(const char *path, po_text *header, po_text *rows) {
   po_csv_seal(header, rows, &text, digest);
   po_file_path folder = po_path_join("", path);
   *strrchr(folder.text, '/') = '\0';
-  po_status status = text.failed ? PO_NO_MEMORY : po_folder_make(folder.text);
+  po_status status = po_folder_make(folder.text);
   if (!status)
     status = po_file_write(path, text.data, text.length);
   po_text_clear(header);

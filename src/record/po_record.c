@@ -14,9 +14,10 @@ static const char RECORD[] = "record.json";
 
 static po_status write_line(const po_case *kase, const po_case_line *line, const char *folder,
                             const volatile sig_atomic_t *stop, json_t **entry) {
-  po_text header = {0}, rows = {0}, text = {0}, name = {0};
+  po_text header = {0}, rows = {0}, text = {0};
   char digest[PO_DIGEST_LENGTH];
-  po_text_add(&name, "line-%s.csv", line->name);
+  po_file_path name;
+  snprintf(name.text, sizeof name.text, "line-%s.csv", line->name);
   po_text_add(&header,
               "# what: pulloff theory %s along a sweep\n"
               "# units: lengths and approach in epsilon; forces and load in pi w R, of a "
@@ -26,17 +27,13 @@ static po_status write_line(const po_case *kase, const po_case_line *line, const
               line->theory, po_case_word(kase));
   po_status status = po_case_line_table(kase->file, line, stop, &rows);
   po_csv_seal(&header, &rows, &text, digest);
-  if (!status && (text.failed || name.failed))
-    status = PO_NO_MEMORY;
   if (!status)
-    status =
-        po_file_write(po_path_join(folder, po_text_string(&name)).text, text.data, text.length);
-  po_json_set(entry, "table", po_json_text(po_text_string(&name)));
+    status = po_file_write(po_path_join(folder, name.text).text, text.data, text.length);
+  po_json_set(entry, "table", po_json_text(name.text));
   po_json_set(entry, "table_sha256", po_json_text(digest));
   po_text_clear(&header);
   po_text_clear(&rows);
   po_text_clear(&text);
-  po_text_clear(&name);
   return status;
 }
 

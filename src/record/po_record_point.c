@@ -68,15 +68,20 @@ size_t po_record_disagreements(const po_case_run *run) {
   return count;
 }
 
+/* Returned: times of a point in the order of the rounds, all or those in which it was solved. */
+static json_t *times(const po_case_run *run, size_t point, size_t column, bool all) {
+  json_t *array = po_json_empty_array();
+  for (unsigned r = 0; r < run->plan->kase->repeats; ++r)
+    if (all || !isnan(run->points[point].rounds[r].seconds))
+      po_json_append(&array, po_json_number(*cell(&run->points[point].rounds[r], column)));
+  return array;
+}
+
 /* Returned: the member `timing` of a point of an external solver that was timed. */
 static json_t *timing_json(const po_case_run *run, size_t point) {
   json_t *object = po_json_empty_object();
-  for (size_t c = OF_ALL; c < COLUMN_COUNT; ++c) {
-    json_t *array = po_json_empty_array();
-    for (unsigned r = 0; r < run->plan->kase->repeats; ++r)
-      po_json_append(&array, po_json_number(*cell(&run->points[point].rounds[r], c)));
-    po_json_set(&object, COLUMNS[c].name, array);
-  }
+  for (size_t c = OF_ALL; c < COLUMN_COUNT; ++c)
+    po_json_set(&object, COLUMNS[c].name, times(run, point, c, true));
   po_json_set(&object, "clock", po_json_text(clock_of(run, point)));
   po_json_set(&object, "interleaved", json_boolean(run->points[point].interleaved));
   return object;
@@ -143,15 +148,6 @@ static json_t *sweep(const po_case *kase, size_t point) {
     po_json_set(&object, draw->key, po_json_number(po_key_number(request, draw->drawn)));
   }
   return object;
-}
-
-/* Returned: times of a point in the order of the rounds in which it was solved. */
-static json_t *times(const po_case_run *run, size_t point, size_t column) {
-  json_t *array = po_json_empty_array();
-  for (unsigned r = 0; r < run->plan->kase->repeats; ++r)
-    if (!isnan(run->points[point].rounds[r].seconds))
-      po_json_append(&array, po_json_number(*cell(&run->points[point].rounds[r], column)));
-  return array;
 }
 
 /* The request of a point for documents: the table of its profile is named relative to the folder of
@@ -227,7 +223,7 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   po_json_set(&object, "label", po_json_text(point->label));
   po_json_set(&object, "sweep", sweep(kase, index));
   for (size_t c = 0; c < OF_ALL; ++c)
-    po_json_set(&object, COLUMNS[c].name, times(run, index, c));
+    po_json_set(&object, COLUMNS[c].name, times(run, index, c, false));
   if (run->starts)
     po_json_set(&object, "timing", timing_json(run, index));
   po_json_set(&object, "command", command_json(run->plan, index, &shown));
