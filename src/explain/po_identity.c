@@ -50,9 +50,11 @@ static po_status compare_point(const po_case_run *run, const po_reference *diges
   return PO_OK;
 }
 
-/* Reports whether a check of a point is against an oracle. */
+/* Reports whether a check of a point is against an oracle that has numbers. */
 static bool is_judge(const po_case_run *run, unsigned check, size_t point) {
-  return run->plan->references[check].ledger == PO_LEDGER_ORACLE &&
+  const po_reference *reference = &run->plan->references[check];
+  return reference->ledger == PO_LEDGER_ORACLE && reference->type != PO_REFERENCE_ABSENT &&
+         reference->type != PO_REFERENCE_EVERY_SCENE &&
          po_check_concerns(&run->plan->kase->file->checks[check],
                            &run->plan->kase->points[point].request);
 }

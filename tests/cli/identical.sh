@@ -62,10 +62,11 @@ says '^good: 1 of 3 results are not the stored ones; the pull-off force of radiu
 expect 1 '*' verify good --output run --identical --tap
 says '^# good: 1 of 3 results'
 
-# An oracle whose name is part of that of another one was left out.
+# An oracle whose name is part of that of another one was left out, and a table that does not exist was named.
 cp "$folder/good.yaml" first.yaml
 write_table "$PULLOFF_DATA/reference/zero_force.csv" radius,force 90,1.8 100,1.8 110,1.8
-sed -i 's/^  - {quantity: energy_defect/  - {quantity: pull_off_force, reference: reference\/zero_force.csv, tolerance: 0.5, kind: abs, because: b}\n&/' \
+sed -i 's/^  - {quantity: energy_defect/  - {quantity: pull_off_force, reference: reference\/zero_force.csv, tolerance: 0.5, kind: abs, because: b}\
+  - {quantity: pull_off_force, reference: reference\/published\/none.csv, tolerance: 0.5, kind: abs, because: b, stand_in: reference\/zero_force.csv}\n&/' \
   "$folder/good.yaml"
 expect 1 '*' verify good --output other --identical
 says ': zero_force, zero can judge it$'
