@@ -55,9 +55,12 @@ po_status po_session_take_points(const char *name, void *to) {
     at += length + 1;
   }
   session->range_count = count;
-  return good ? PO_OK
-              : po_options_refuse(name, optarg,
-                                  "A-B or one number, counted from 0, or several with commas");
+  return good
+             ? PO_OK
+             : po_options_refuse(name, optarg,
+                                 count > PO_MOST_RANGES
+                                     ? "at most 64 of A-B or one number"
+                                     : "A-B or one number, counted from 0, or several with commas");
 }
 
 /* "2/5". */

@@ -66,6 +66,8 @@ expect 2 'pulloff: --jobs is many: expected a whole number, 0 for all cores' run
 expect 2 'pulloff: --points is 5-3: expected A-B or one number, counted from 0, or several with commas' run --points 5-3
 expect 2 'pulloff: --points is 5-: expected A-B or one number, counted from 0, or several with commas' run --points 5-
 expect 2 'pulloff: --points is few: expected A-B or one number, counted from 0, or several with commas' run --points few
+expect 2 'pulloff: --points is 0,*: expected at most 64 of A-B or one number' run --points "$(seq -s , 0 64)"
+expect 2 'pulloff: no case is named absent: *' run absent --points "$(seq -s , 0 63)"
 expect 2 'pulloff: --points begins at 6: expected less than 6, the number of points of smoke' \
   run smoke --points 6
 expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' run --time-limit 0
