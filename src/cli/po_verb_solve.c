@@ -233,19 +233,20 @@ static po_status draw(const po_solve_line *line, const po_result *result) {
 
 /* Writes all files, even if one of them cannot be written. */
 static po_status write_files(const po_solve_line *line, const po_result *result) {
-  po_status status = PO_OK;
+  const char *const tables[] = {[PO_PROFILE_TABLE] = line->profile,
+                                [PO_CURVE_TABLE] = line->curve,
+                                [PO_STAIRCASE_TABLE] = line->staircase};
+  po_status failed = PO_OK, status = PO_OK;
   fflush(stdout); /* a file may be /dev/stdout */
-  if (line->profile)
-    status = po_tables_write_profile(line->profile, &line->request, result, NULL);
-  const po_status curve =
-      line->curve ? po_tables_write_curve(line->curve, &line->request, result, NULL) : PO_OK;
-  const po_status staircase =
-      line->staircase ? po_tables_write_staircase(line->staircase, &line->request, result, NULL)
-                      : PO_OK;
-  const po_status smoothed =
-      line->smoothed ? po_tables_write_smoothed(line->smoothed, &line->request) : PO_OK;
-  const po_status plot = line->plot ? draw(line, result) : PO_OK;
-  return curve ? curve : staircase ? staircase : smoothed ? smoothed : plot ? plot : status;
+  for (int k = PO_PROFILE_TABLE; k <= PO_STAIRCASE_TABLE; ++k)
+    if (tables[k] &&
+        (status = po_tables_write((po_table)k, tables[k], &line->request, result, NULL)))
+      failed = status;
+  if (line->smoothed && (status = po_tables_write_smoothed(line->smoothed, &line->request)))
+    failed = status;
+  if (line->plot && (status = draw(line, result)))
+    failed = status;
+  return failed;
 }
 
 /* Processor time after which the line of the theories is left out, s. They take some hundredths. */

@@ -18,40 +18,96 @@
 /* A column of a table, and the path of its number in the items of a list. */
 typedef struct {
   const char *name, *path;
-  bool optional; /* the curve of an external solver does not have it: nan */
-  bool metric;   /* in the metric of the solver, which has no SI unit: not in tables in SI units */
+  bool optional;  /* the curve of an external solver does not have it: nan */
+  bool metric;    /* in the metric of the solver, which has no SI unit: not in tables in SI units */
+  bool of_spring; /* only in tables of a scene with a spring; not read */
 } column;
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 
-static const column CURVE[] = {{"position", "position", false, true},
-                               {"approach", "approach", false},
-                               {"load", "load", false},
-                               {"energy", "energy", true},
-                               {"contact_radius", "contact_radius", true},
-                               {"approach_rate", "approach_rate", true, true},
-                               {"load_rate", "load_rate", true, true},
-                               {"unstable_modes", "unstable_modes", false},
-                               {"energy_error", "energy_error_estimate", true},
-                               {"unstable_modes_at_base", "unstable_modes_at_base", true}};
+static const column CURVE[] = {
+    {"position", "position", .metric = true},
+    {"approach", "approach"},
+    {"load", "load"},
+    {"energy", "energy", .optional = true},
+    {"contact_radius", "contact_radius", .optional = true},
+    {"approach_rate", "approach_rate", .optional = true, .metric = true},
+    {"load_rate", "load_rate", .optional = true, .metric = true},
+    {"unstable_modes", "unstable_modes"},
+    {"energy_error", "energy_error_estimate", .optional = true},
+    {"unstable_modes_at_base", "unstable_modes_at_base", .of_spring = true}};
 
-static const column PROFILE[] = {
-    {"radius", "radius", false}, {"gap", "gap", false}, {"traction", "traction", false}};
+static const column PROFILE[] = {{"radius", "radius"}, {"gap", "gap"}, {"traction", "traction"}};
 
 /* If the step is open, `until` is the last state of loading on the curve; separated bodies have the
  * approach -inf. */
-static const column STEP[] = {{"from_approach", "preload.approach", false},
-                              {"from_load", "preload.load", false},
-                              {"until_approach", "until.approach", false},
-                              {"until_load", "until.load", false},
-                              {"open", "open", false},
-                              {"force", "force", false},
-                              {"force_error", "error_estimate", false},
-                              {"approach", "approach", false},
-                              {"approach_error", "approach_error_estimate", false},
-                              {"energy_lost", "cycles.0.energy_lost", false},
-                              {"energy_lost_error", "cycles.0.energy_lost_error_estimate", false}};
+static const column STEP[] = {{"from_approach", "preload.approach"},
+                              {"from_load", "preload.load"},
+                              {"until_approach", "until.approach"},
+                              {"until_load", "until.load"},
+                              {"open", "open"},
+                              {"force", "force"},
+                              {"force_error", "error_estimate"},
+                              {"approach", "approach"},
+                              {"approach_error", "approach_error_estimate"},
+                              {"energy_lost", "cycles.0.energy_lost"},
+                              {"energy_lost_error", "cycles.0.energy_lost_error_estimate"}};
+
+static const column SERIES[] = {{"force", "pull_off.force"},
+                                {"force_error", "pull_off.error_estimate"},
+                                {"approach", "pull_off.approach"},
+                                {"approach_error", "pull_off.approach_error_estimate"},
+                                {"contact_radius", "pull_off.contact_radius"},
+                                {"contact_radius_error", "pull_off.contact_radius_error_estimate"},
+                                {"followed", "followed"}};
 
 enum { MOST_COLUMNS = LENGTH(STEP) };
+
+/* A table of lists of a result: its columns, the lists with the text before each row, and what its
+ * headers say. */
+static const struct {
+  const column *column;
+  size_t count;
+  struct {
+    const char *path, *before;
+  } list[PO_TESTS];
+  const char *what, *units, *units_in_si;
+} TABLES[] = {
+    [PO_PROFILE_TABLE] =
+        {.column = PROFILE,
+         .count = LENGTH(PROFILE),
+         .list = {{"profile", ""}},
+         .what = "gap and traction over the radius at approach ",
+         .units = "radius and approach in epsilon; gap H = h/epsilon - 1; traction P = p mu "
+                  "epsilon/w, compressive > 0",
+         .units_in_si = "SI, at the end of the name of each column; gap: distance of the surfaces; "
+                        "traction compressive > 0"},
+    [PO_CURVE_TABLE] =
+        {.column = CURVE,
+         .count = LENGTH(CURVE),
+         .list = {{"curve", ""}},
+         .what = "load against approach along the branch",
+         .units = "approach and contact_radius in epsilon; load in pi w R, compressive > 0; energy "
+                  "in pi w R epsilon, its derivative by the approach is the load; energy_error: "
+                  "bound of its error at this approach, nan: not estimated; position: arclength "
+                  "along the branch in the metric of the solver; approach_rate and load_rate: "
+                  "derivatives by the position",
+         .units_in_si = "SI, at the end of the name of each column; load compressive > 0; the "
+                        "derivative of the energy by the approach is the load; energy_error: "
+                        "bound of its error at this approach, nan: not estimated"},
+    [PO_STAIRCASE_TABLE] = {
+        .column = STEP,
+        .count = LENGTH(STEP),
+        .list = {{"staircase.displacement_control.steps", "displacement,"},
+                 {"staircase.load_control.steps", "load,"},
+                 {"staircase.spring.steps", "spring,"}},
+        .what = "pull-off force and dissipated energy as functions of the preload: each row is a "
+                "step, the range of greatest approaches (control displacement), loads (control "
+                "load) or positions of the base approach + load/stiffness (control spring) with "
+                "the same pull-off; open: the curve ends before the step",
+        .units = "approaches in epsilon, -inf for separated bodies; loads and force in pi w R; "
+                 "energy in pi w R epsilon, nan: unbounded",
+        .units_in_si = "SI, at the end of the name of each column; approaches -inf for separated "
+                       "bodies; energy nan: unbounded"}};
 
 /* The columns of a table of a request, and their block. */
 typedef struct {
@@ -60,44 +116,45 @@ typedef struct {
   const po_block *block;
   const po_request *request;
 } layout;
-#define LAYOUT(columns, block, request) ((layout){columns, LENGTH(columns), &(block), request})
 
-/* Whether a table has a column. In SI units, *unit is that of its numbers. */
-static bool has_column(const layout *l, size_t c, po_si_unit *unit) {
+/* Whether a table has a column. In SI units, *unit is that of its numbers. Given: `own`, the units
+ * of an item of another scene, which has the prefixes of the request; NULL: of that of the request.
+ */
+static bool has_column(const layout *l, size_t c, const po_units *own, po_si_unit *unit) {
+  const po_request *request = l->request;
   const po_row *row = po_block_find(l->block, NULL, l->column[c].path).row;
   *unit = (po_si_unit){.factor = 1};
-  if (!l->request->in_si)
-    return true;
-  if (row->type == PO_ROW_NUMBER)
-    *unit = po_si_prefixed(&l->request->units, row->dimension);
-  return !l->column[c].metric;
+  if (request->in_si && row->type == PO_ROW_NUMBER) {
+    *unit = po_si_prefixed(&request->units, row->dimension);
+    if (own)
+      unit->factor = po_si_unit_of(own, row->dimension).factor *
+                     (unit->factor / po_si_unit_of(&request->units, row->dimension).factor);
+  }
+  return !(request->in_si && l->column[c].metric) &&
+         !(l->column[c].of_spring && isnan(request->stiffness));
 }
 
 static void add_names(po_text *rows, const char *before, const layout *l) {
   po_si_unit unit;
-  for (size_t c = 0; c < l->count; ++c)
-    if (has_column(l, c, &unit)) {
-      po_text_add(rows, "%s%s%s%s", before, l->column[c].name, *unit.name ? "_" : "", unit.name);
-      before = ",";
-    }
+  po_text_add(rows, "%s", before);
+  for (size_t c = 0, named = 0; c < l->count; ++c)
+    if (has_column(l, c, NULL, &unit))
+      po_text_add(rows, "%s%s%s%s", named++ ? "," : "", l->column[c].name, *unit.name ? "_" : "",
+                  unit.name);
   po_text_add(rows, "\n");
 }
 
-/* Adds a row for each item of a list, which begins with a text. */
-static void add_items(po_text *rows, const char *before, const layout *l, const void *list,
-                      size_t items) {
+/* Adds a row with the numbers of an item, which begins with a text. */
+static void add_item(po_text *rows, const char *before, const layout *l, const void *item,
+                     const po_units *own) {
   double row[MOST_COLUMNS];
-  for (size_t i = 0; i < items; ++i) {
-    size_t used = 0;
-    po_si_unit unit;
-    for (size_t c = 0; c < l->count; ++c)
-      if (has_column(l, c, &unit))
-        row[used++] =
-            po_si_value(&unit, po_block_number(l->block, (const char *)list + i * l->block->size,
-                                               l->column[c].path));
-    po_text_add(rows, "%s", before);
-    po_csv_add_row(rows, row, used);
-  }
+  size_t used = 0;
+  po_si_unit unit;
+  for (size_t c = 0; c < l->count; ++c)
+    if (has_column(l, c, own, &unit))
+      row[used++] = po_si_value(&unit, po_block_number(l->block, item, l->column[c].path));
+  po_text_add(rows, "%s", before);
+  po_csv_add_row(rows, row, used);
 }
 
 /* Writes to a file, or to standard output for "-". */
@@ -128,45 +185,28 @@ static po_status write_table(const char *path, const po_request *request, const 
   return status;
 }
 
-po_status po_tables_write_curve(const char *path, const po_request *request,
-                                const po_result *result, char *digest) {
+po_status po_tables_write(po_table table, const char *path, const po_request *request,
+                          const po_result *result, char *digest) {
   po_text rows = {0};
-  layout l = LAYOUT(CURVE, PO_CURVE_ROWS, request);
-  l.count -= isnan(request->stiffness) ? 1 : 0; /* the last column is of a spring */
-  add_names(&rows, "", &l);
-  add_items(&rows, "", &l, result->curve, result->curve_count);
-  return write_table(
-      path, request, "load against approach along the branch",
-      request->in_si ? "SI, at the end of the name of each column; load compressive > 0; the "
-                       "derivative of the energy by the approach is the load; energy_error: "
-                       "bound of its error at this approach, nan: not estimated"
-                     : "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
-                       "energy in pi w R epsilon, its derivative by the approach is the load; "
-                       "energy_error: bound of its error at this approach, nan: not estimated; "
-                       "position: arclength along the branch in the metric of the solver; "
-                       "approach_rate and load_rate: derivatives by the position",
-      &rows, digest);
-}
-
-po_status po_tables_write_profile(const char *path, const po_request *request,
-                                  const po_result *result, char *digest) {
-  po_text rows = {0};
-  char approach[PO_NUMBER_LENGTH], what[100];
-  const layout l = LAYOUT(PROFILE, PO_PROFILE_ROWS, request);
-  const po_si_unit length = request->in_si ? po_si_prefixed(&request->units, PO_DIMENSION_LENGTH)
-                                           : (po_si_unit){.factor = 1};
-  po_number_print(result->profile_approach * length.factor, approach);
-  snprintf(what, sizeof what, "gap and traction over the radius at approach %s%s%s", approach,
-           request->in_si ? " " : "", length.text);
-  add_names(&rows, "", &l);
-  add_items(&rows, "", &l, result->profile, result->profile_count);
-  return write_table(
-      path, request, what,
-      request->in_si ? "SI, at the end of the name of each column; gap: distance of the "
-                       "surfaces; traction compressive > 0"
-                     : "radius and approach in epsilon; gap H = h/epsilon - 1; traction P = p mu "
-                       "epsilon/w, compressive > 0",
-      &rows, digest);
+  char approach[PO_NUMBER_LENGTH] = "", what[400];
+  po_si_unit length = {.factor = 1};
+  if (request->in_si)
+    length = po_si_prefixed(&request->units, PO_DIMENSION_LENGTH);
+  if (table == PO_PROFILE_TABLE)
+    po_number_print(result->profile_approach * length.factor, approach);
+  snprintf(what, sizeof what, "%s%s%s%s", TABLES[table].what, approach,
+           *approach && *length.text ? " " : "", *approach ? length.text : "");
+  for (size_t k = 0; k < PO_TESTS && TABLES[table].list[k].path; ++k) {
+    const po_field list = po_block_find(&PO_ALL_ROWS, result, TABLES[table].list[k].path);
+    const layout l = {TABLES[table].column, TABLES[table].count, list.row->block, request};
+    if (k == 0)
+      add_names(&rows, table == PO_STAIRCASE_TABLE ? "control," : "", &l);
+    for (size_t i = 0; list.owner && i < po_row_items(list.row, list.owner); ++i)
+      add_item(&rows, TABLES[table].list[k].before, &l, po_row_item(list.row, list.owner, i), NULL);
+  }
+  return write_table(path, request, what,
+                     request->in_si ? TABLES[table].units_in_si : TABLES[table].units, &rows,
+                     digest);
 }
 
 po_status po_tables_write_smoothed(const char *path, const po_request *request) {
@@ -184,78 +224,28 @@ po_status po_tables_write_smoothed(const char *path, const po_request *request) 
                      "those of the measured table", &rows, NULL);
 }
 
-po_status po_tables_write_staircase(const char *path, const po_request *request,
-                                    const po_result *result, char *digest) {
-  po_text rows = {0};
-  const po_staircase *s = result->staircase.of;
-  const layout l = LAYOUT(STEP, PO_STEP_ROWS, request);
-  po_text_add(&rows, "control");
-  add_names(&rows, ",", &l);
-  add_items(&rows, "displacement,", &l, s[0].step, s[0].count);
-  add_items(&rows, "load,", &l, s[1].step, s[1].count);
-  add_items(&rows, "spring,", &l, s[2].step, s[2].count);
-  return write_table(
-      path, request,
-      "pull-off force and dissipated energy as functions of the preload: each row is "
-      "a step, the range of greatest approaches (control displacement), loads "
-      "(control load) or positions of the base approach + load/stiffness (control spring) "
-      "with the same pull-off; open: the curve ends before the step",
-      request->in_si
-          ? "SI, at the end of the name of each column; approaches -inf for separated bodies; "
-            "energy "
-            "nan: unbounded"
-          : "approaches in epsilon, -inf for separated bodies; loads and force in pi w R; "
-            "energy in pi w R epsilon, nan: unbounded",
-      &rows, digest);
-}
-
 po_status po_tables_write_series(const char *path, const char *key, const double *values,
                                  const po_request *requests, const po_result *results,
                                  size_t count) {
-  const po_request *first = &requests[0];
-  static const char *const COLUMNS[] = {"force", "approach", "contact_radius"};
-  static const po_dimension DIMENSIONS[] = {PO_DIMENSION_LOAD, PO_DIMENSION_LENGTH,
-                                            PO_DIMENSION_LENGTH};
+  const layout l = {SERIES, LENGTH(SERIES), &PO_RESULT_ROWS, requests};
   po_text rows = {0};
   char units[120] = "SI, at the end of the name of each column; errors are estimated bounds";
-  double factor[LENGTH(COLUMNS)] = {1, 1, 1}; /* from SI units to those of the columns */
-  if (!first->in_si)
+  if (!requests->in_si)
     snprintf(units, sizeof units,
              "approach and contact_radius in epsilon; force in %s; errors are estimated bounds",
-             po_input_load_unit(first));
+             po_input_load_unit(requests));
   for (const char *c = key; *c; ++c)
     po_text_add(&rows, "%c", *c == '-' ? '_' : *c);
-  for (size_t c = 0; c < LENGTH(COLUMNS); ++c) {
-    po_si_unit unit = {.factor = 1};
-    if (first->in_si) {
-      unit = po_si_prefixed(&first->units, DIMENSIONS[c]);
-      factor[c] = unit.factor / po_si_unit_of(&first->units, DIMENSIONS[c]).factor;
-    }
-    const char *between = first->in_si ? "_" : "";
-    po_text_add(&rows, ",%s%s%s,%s_error%s%s", COLUMNS[c], between, unit.name, COLUMNS[c], between,
-                unit.name);
-  }
-  po_text_add(&rows, ",followed\n");
+  add_names(&rows, ",", &l);
   for (size_t k = 0; k < count; ++k) {
-    const po_result *o = &results[k];
-    const po_units unit = first->in_si ? requests[k].units : (po_units){.length = 1, .force = 1};
-    const double none = o->has_pull_off ? 1.0 : (double)NAN;
-    const double force = unit.force * factor[0] * none;
-    const double approach = unit.length * factor[1] * none;
-    const double radius = unit.length * factor[2] * none;
-    const double row[] = {values[k],
-                          o->pull_off.force * force,
-                          o->pull_off.force_error * force,
-                          o->pull_off.approach * approach,
-                          o->pull_off.approach_error * approach,
-                          o->pull_off.contact_radius * radius,
-                          o->pull_off.contact_radius_error * radius,
-                          o->followed};
-    po_csv_add_row(&rows, row, LENGTH(row));
+    char number[PO_NUMBER_LENGTH + 1];
+    po_number_print(values[k], number);
+    add_item(&rows, strcat(number, ","), &l, &results[k], &requests[k].units);
   }
   return write_table(
-      path, first, "pull-off of scenes in which one parameter varies; the command solves the first",
-      units, &rows, NULL);
+      path, requests,
+      "pull-off of scenes in which one parameter varies; the command solves the first", units,
+      &rows, NULL);
 }
 
 static po_status read_cell(const po_csv *csv, size_t r, size_t at, const column *c,
@@ -276,44 +266,37 @@ static po_status read_cell(const po_csv *csv, size_t r, size_t at, const column 
   return PO_OK;
 }
 
-/* Reads a table with some columns, in any order. Returned: items, to be freed; NULL if it fails. */
-static po_status read_list(const char *path, const char *digest, const column *columns,
-                           size_t column_count, const po_block *block, void *items, size_t *count) {
+po_status po_tables_read(po_table table, const char *path, const char *digest, po_result *result) {
+  const po_row *list = po_block_find(&PO_ALL_ROWS, NULL, TABLES[table].list[0].path).row;
   po_csv csv;
   po_status status = po_csv_read(path, path, &csv);
   if (status)
     return status;
-  char *list = po_allocate(csv.row_count, block->size);
-  if (!list)
+  char *items = po_allocate(csv.row_count, list->block->size);
+  if (!items)
     status = PO_NO_MEMORY;
   else if (strcmp(digest, csv.digest) != 0)
     status =
         po_fail(PO_CANNOT_READ, "%s is not the table of this record: its checksum differs", path);
-  for (size_t c = 0; !status && c < column_count; ++c) {
-    const int found = po_csv_find_column(&csv, columns[c].name);
-    const po_row *row = po_block_find(block, NULL, columns[c].path).row;
+  for (size_t c = 0; !status && c < TABLES[table].count; ++c) {
+    const column *read = &TABLES[table].column[c];
+    const int found = po_csv_find_column(&csv, read->name);
+    if (read->of_spring)
+      continue;
     if (found < 0)
       status = po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", path, csv.column_line,
-                       columns[c].name);
+                       read->name);
+    const po_row *row = po_block_find(list->block, NULL, read->path).row;
     for (size_t r = 0; !status && r < csv.row_count; ++r)
-      status = read_cell(&csv, r, (size_t)found, &columns[c], row, list + r * block->size);
+      status = read_cell(&csv, r, (size_t)found, read, row, items + r * list->block->size);
   }
-  *count = status ? 0 : csv.row_count;
+  const size_t count = status ? 0 : csv.row_count;
   po_csv_clear(&csv);
   if (status) {
-    free(list);
-    list = NULL;
+    free(items);
+    items = NULL;
   }
-  memcpy(items, &list, sizeof list);
+  memcpy((char *)result + list->offset, &items, sizeof items);
+  memcpy((char *)result + list->count, &count, sizeof count);
   return status;
-}
-
-po_status po_tables_read_curve(const char *path, const char *digest, po_result *result) {
-  return read_list(path, digest, CURVE, LENGTH(CURVE) - 1, &PO_CURVE_ROWS, &result->curve,
-                   &result->curve_count);
-}
-
-po_status po_tables_read_profile(const char *path, const char *digest, po_result *result) {
-  return read_list(path, digest, PROFILE, LENGTH(PROFILE), &PO_PROFILE_ROWS, &result->profile,
-                   &result->profile_count);
 }

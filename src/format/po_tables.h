@@ -8,39 +8,32 @@
 #include "po_result.h"
 #include "po_status.h"
 
-/* Writes the branch with the columns position, approach, load, energy, contact_radius,
- * approach_rate, load_rate and unstable_modes; of a request in SI units without those in the metric
- * of the solver, and with the unit at the end of each name: approach_nm. The headers state the
- * scene, the units and the checksum of all other lines. The path "-" is standard output. Returned:
- * digest, that checksum, unless it is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
-po_status po_tables_write_curve(const char *path, const po_request *request,
-                                const po_result *result, char *digest);
+/* Tables of lists of a result: the branch, the profile, and the steps of all staircases. */
+typedef enum { PO_PROFILE_TABLE, PO_CURVE_TABLE, PO_STAIRCASE_TABLE } po_table;
 
-/* Writes the profile at result->profile_approach with the columns radius, gap and traction.
- * Otherwise as po_tables_write_curve. */
-po_status po_tables_write_profile(const char *path, const po_request *request,
-                                  const po_result *result, char *digest);
-
-/* Writes the steps of both staircases, one in each row. Otherwise as po_tables_write_curve. */
-po_status po_tables_write_staircase(const char *path, const po_request *request,
-                                    const po_result *result, char *digest);
+/* Writes a table. The branch has the columns position, approach, load, energy, contact_radius,
+ * approach_rate, load_rate and unstable_modes, the profile at result->profile_approach radius, gap
+ * and traction; of a request in SI units without those in the metric of the solver, and with the
+ * unit at the end of each name: approach_nm. The headers state the scene, the units and the
+ * checksum of all other lines. The path "-" is standard output. Returned: digest, that checksum,
+ * unless it is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+po_status po_tables_write(po_table table, const char *path, const po_request *request,
+                          const po_result *result, char *digest);
 
 /* Writes the smoothed table of the profile at its rows, in the unit of the file, with the columns
- * r, gap and removed: what the row had more. Otherwise as po_tables_write_curve. */
+ * r, gap and removed: what the row had more. Otherwise as po_tables_write. */
 po_status po_tables_write_smoothed(const char *path, const po_request *request);
 
 /* Writes the pull-offs of a series, one scene in each row, with the columns KEY, force,
  * force_error, approach, approach_error, contact_radius, contact_radius_error and followed (0:
  * traced); nan where a scene has no pull-off. All rows have the prefixes of the first scene. Given:
- * the name of the parameter and its values. Otherwise as po_tables_write_curve. */
+ * the name of the parameter and its values. Otherwise as po_tables_write. */
 po_status po_tables_write_series(const char *path, const char *key, const double *values,
                                  const po_request *requests, const po_result *results,
                                  size_t count);
 
-/* Read a table of po_tables_write_curve or po_tables_write_profile into result->curve or
- * result->profile. Status: PO_CANNOT_READ, also if the checksum of the table is not `digest`;
- * PO_NO_MEMORY. */
-po_status po_tables_read_curve(const char *path, const char *digest, po_result *result);
-po_status po_tables_read_profile(const char *path, const char *digest, po_result *result);
+/* Reads the table of a branch or a profile into the list of the result. Status: PO_CANNOT_READ,
+ * also if the checksum of the table is not `digest`; PO_NO_MEMORY. */
+po_status po_tables_read(po_table table, const char *path, const char *digest, po_result *result);
 
 #endif

@@ -178,8 +178,8 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
     return PO_OK;
   const po_file_path path = po_path_join(folder, name);
   const po_request shown = shown_request(run->plan->kase, point);
-  const po_status status = profile ? po_tables_write_profile(path.text, &shown, result, digest)
-                                   : po_tables_write_curve(path.text, &shown, result, digest);
+  const po_status status = po_tables_write(profile ? PO_PROFILE_TABLE : PO_CURVE_TABLE, path.text,
+                                           &shown, result, digest);
   if (profile)
     po_json_set(entry, "contact", po_json_of(&PO_CONTACT_ROWS, result));
   snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
@@ -308,8 +308,7 @@ static po_status read_table(const json_t *point, bool profile, bool needed, cons
   if (!*name)
     return needed && result->status == PO_OK ? PO_NOT_FOUND : PO_OK;
   const po_file_path path = po_path_join(folder, name);
-  return profile ? po_tables_read_profile(path.text, digest, result)
-                 : po_tables_read_curve(path.text, digest, result);
+  return po_tables_read(profile ? PO_PROFILE_TABLE : PO_CURVE_TABLE, path.text, digest, result);
 }
 
 /* Reads the numbers of an entry that has its checksum. */

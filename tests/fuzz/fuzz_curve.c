@@ -23,13 +23,13 @@ static po_status read_ours(const char *path, po_result *result) {
   po_result back = {0};
   const po_request request = po_request_default();
   fuzz_table_digest(path, digest);
-  const po_status status = po_tables_read_curve(path, digest, result);
+  const po_status status = po_tables_read(PO_CURVE_TABLE, path, digest, result);
   fuzz_require_message(status);
   if (status)
     return status;
   const char *copy = fuzz_path("back.csv");
-  fuzz_require(po_tables_write_curve(copy, &request, result, digest) == PO_OK &&
-                   po_tables_read_curve(copy, digest, &back) == PO_OK,
+  fuzz_require(po_tables_write(PO_CURVE_TABLE, copy, &request, result, digest) == PO_OK &&
+                   po_tables_read(PO_CURVE_TABLE, copy, digest, &back) == PO_OK,
                "a curve that was read cannot be written and read: %s", po_message());
   fuzz_require(back.curve_count == result->curve_count, "a curve is read back of another length");
   for (size_t i = 0; i < back.curve_count; ++i)

@@ -316,7 +316,7 @@ START_TEST(curve_table_has_whole_numbers_of_modes) {
               MODES[_i].modes);
   ck_assert_int_eq(po_file_write(path, text.data, text.length), PO_OK);
   ck_assert_int_eq(po_csv_read(path, path, &csv), PO_OK);
-  ck_assert_int_eq(po_tables_read_curve(path, csv.digest, &result), MODES[_i].expected);
+  ck_assert_int_eq(po_tables_read(PO_CURVE_TABLE, path, csv.digest, &result), MODES[_i].expected);
   if (MODES[_i].expected == PO_OK) {
     ck_assert_double_eq(result.curve[0].load, 2.385);
     ck_assert_int_eq(result.curve[0].unstable_modes, atoi(MODES[_i].modes));
