@@ -115,15 +115,6 @@ json_t *po_json_of(const po_block *block, const void *owner) {
   return object_of(block, owner, (place){NULL, 0, NULL});
 }
 
-static json_t *points_of(const po_block *block, const void *list, size_t count,
-                         const po_units *units) {
-  json_t *array = po_json_empty_array();
-  for (size_t k = 0; k < count; ++k)
-    po_json_append(&array,
-                   object_of(block, (const char *)list + k * block->size, (place){NULL, 0, units}));
-  return array;
-}
-
 static po_status read_into(const json_t *object, const po_block *block, void *owner);
 
 static po_status read_list(const json_t *array, const po_row *row, void *owner) {
@@ -286,18 +277,19 @@ po_status po_json_read_result(const json_t *object, po_result *result) {
   return status;
 }
 
+/* Adds the arrays of points that were requested. */
+static void add_points(json_t **document, const po_request *request, const po_result *result,
+                       const po_units *units) {
+  if (request->want & PO_WANT_CURVE)
+    add_rows(document, &PO_BRANCH_ROWS, result, (place){NULL, 0, units});
+  if (request->want & PO_WANT_PROFILE)
+    add_rows(document, &PO_SURFACE_ROWS, result, (place){NULL, 0, units});
+}
+
 json_t *po_json_document(const po_request *request, const po_result *result) {
   json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")});
   po_json_set_all(&document, po_json_result(request, result));
-  if (request->want & PO_WANT_CURVE)
-    po_json_set(&document, "curve",
-                points_of(&PO_CURVE_ROWS, result->curve, result->curve_count, NULL));
-  if (request->want & PO_WANT_PROFILE) {
-    po_json_set(&document, "profile_approach", po_json_number(result->profile_approach));
-    po_json_set(&document, "profile",
-                points_of(&PO_PROFILE_ROWS, result->profile, result->profile_count, NULL));
-    po_json_set(&document, "contact", po_json_of(&PO_CONTACT_ROWS, result));
-  }
+  add_points(&document, request, result, NULL);
   po_json_seal(&document);
   return document;
 }
@@ -327,17 +319,7 @@ json_t *po_json_result_in_si(const po_units *units, const po_result *result) {
 }
 
 json_t *po_json_document_in_si(const po_request *request, const po_result *result) {
-  const po_units *units = &request->units;
-  json_t *object = po_json_result_in_si(units, result);
-  if (request->want & PO_WANT_CURVE)
-    po_json_set(&object, "curve",
-                points_of(&PO_CURVE_ROWS, result->curve, result->curve_count, units));
-  if (request->want & PO_WANT_PROFILE) {
-    po_json_set(&object, "profile_approach_m",
-                po_json_number(result->profile_approach * units->length));
-    po_json_set(&object, "profile",
-                points_of(&PO_PROFILE_ROWS, result->profile, result->profile_count, units));
-    po_json_set(&object, "contact", object_of(&PO_CONTACT_ROWS, result, (place){NULL, 0, units}));
-  }
+  json_t *object = po_json_result_in_si(&request->units, result);
+  add_points(&object, request, result, &request->units);
   return object;
 }

@@ -265,12 +265,19 @@ static const po_row WANTED[] = {
 const po_block PO_RESULT_ROWS = BLOCK("result", RESULT, NULL);
 const po_block PO_WANTED_ROWS = BLOCK("result", WANTED, NULL);
 
-static const po_row ALL[] = {
-  {.key = "", .type = PO_ROW_INLINE, .block = &PO_RESULT_ROWS, TEXTS("", "", "")},
-  {.key = "", .type = PO_ROW_INLINE, .block = &PO_WANTED_ROWS, TEXTS("", "", "")},
-  GROUP("contact", PO_CONTACT_ROWS, "the regions in contact at the approach of the profile"),
+static const po_row BRANCH[] = {
   LIST("curve", curve, curve_count, PO_CURVE_ROWS, NULL, "", "points of the branch, in order"),
-  LIST("profile", profile, profile_count, PO_PROFILE_ROWS, NULL, "", "gap and traction over the radius"),
 };
+const po_block PO_BRANCH_ROWS = BLOCK("branch", BRANCH, NULL);
+
+static const po_row SURFACE[] = {
+  NUMBER("profile_approach", profile_approach, LENGTH, "", "if the branch does not reach it", "approach of the profile"),
+  LIST("profile", profile, profile_count, PO_PROFILE_ROWS, NULL, "", "gap and traction over the radius"),
+  GROUP("contact", PO_CONTACT_ROWS, "the regions in contact at the approach of the profile"),
+};
+const po_block PO_SURFACE_ROWS = BLOCK("surface", SURFACE, NULL);
+
+#define ALSO(rows) {.key = "", .type = PO_ROW_INLINE, .block = &rows, TEXTS("", "", "")}
+static const po_row ALL[] = {ALSO(PO_RESULT_ROWS), ALSO(PO_WANTED_ROWS), ALSO(PO_BRANCH_ROWS), ALSO(PO_SURFACE_ROWS)};
 const po_block PO_ALL_ROWS = BLOCK("solve", ALL, NULL);
 #undef S

@@ -5,8 +5,9 @@
 #include "po_rows.h"
 
 /* Blocks of po_result: all its rows; of these, the keys that every result has, those that it has if
- * they are wanted, and the contact annuli at the profile. */
-extern const po_block PO_ALL_ROWS, PO_RESULT_ROWS, PO_WANTED_ROWS, PO_CONTACT_ROWS;
+ * they are wanted, the curve, the profile with the contact, and the contact annuli there. */
+extern const po_block PO_ALL_ROWS, PO_RESULT_ROWS, PO_WANTED_ROWS, PO_BRANCH_ROWS, PO_SURFACE_ROWS,
+    PO_CONTACT_ROWS;
 
 /* Of the items of its lists; of the pull-off, a block of po_result; of a step of a staircase; and
  * of a theory. */
