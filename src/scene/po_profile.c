@@ -124,24 +124,29 @@ void po_profile_rescale(po_profile *profile, double epsilon) {
 }
 
 double po_profile_gap(const po_profile *profile, double radius, double r) {
-  return kind_of(profile)->gap(profile, radius, r);
+  const po_profile_kind *kind = kind_of(profile);
+  return kind->over_radius ? kind->gap(profile, r) / radius : kind->gap(profile, r);
 }
 
 double po_profile_slope(const po_profile *profile, double radius, double r) {
-  return kind_of(profile)->slope(profile, radius, r);
+  const po_profile_kind *kind = kind_of(profile);
+  return kind->over_radius ? kind->slope(profile, r) / radius : kind->slope(profile, r);
 }
 
 po_two po_profile_gap_exact(const po_profile *profile, double radius, double r) {
-  return kind_of(profile)->gap_exact(profile, radius, r);
+  const po_profile_kind *kind = kind_of(profile);
+  const po_two gap = kind->gap_exact(profile, r);
+  return kind->over_radius ? po_two_divide(gap, po_two_of(radius)) : gap;
 }
 
 double po_profile_gap_beyond(const po_profile *profile, double radius, double r) {
   const po_profile_kind *kind = kind_of(profile);
-  return (kind->gap_beyond ? kind->gap_beyond : kind->gap)(profile, radius, r);
+  return kind->gap_beyond ? kind->gap_beyond(profile, r) : po_profile_gap(profile, radius, r);
 }
 
 double po_profile_radius_of_gap(const po_profile *profile, double radius, double gap) {
-  return kind_of(profile)->radius_of_gap(profile, radius, gap);
+  const po_profile_kind *kind = kind_of(profile);
+  return kind->radius_of_gap(profile, kind->over_radius ? gap * radius : gap);
 }
 
 po_shape po_profile_shape(const po_profile *profile) {

@@ -11,27 +11,23 @@ static double punch_edge(const po_profile *profile) {
   return profile->parameter[PO_PUNCH_R];
 }
 
-static double punch_gap(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double punch_gap(const po_profile *profile, double r) {
   const double beyond = r - punch_flat(profile);
   return beyond > 0.0 ? 0.5 * beyond * beyond / punch_edge(profile) : 0.0;
 }
 
-static double punch_slope(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double punch_slope(const po_profile *profile, double r) {
   return fmax(r - punch_flat(profile), 0.0) / punch_edge(profile);
 }
 
-static po_two punch_exact(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static po_two punch_exact(const po_profile *profile, double r) {
   const po_two beyond = po_two_sum(r, -punch_flat(profile));
   return beyond.high > 0.0 ? po_two_divide(po_two_times(po_two_multiply(beyond, beyond), 0.5),
                                            po_two_of(punch_edge(profile)))
                            : po_two_of(0.0);
 }
 
-static double punch_radius_of_gap(const po_profile *profile, double radius, double gap) {
-  (void)radius;
+static double punch_radius_of_gap(const po_profile *profile, double gap) {
   return punch_flat(profile) + sqrt(2.0 * punch_edge(profile) * gap);
 }
 
@@ -55,27 +51,23 @@ static double cut_radius(const po_profile *profile) {
   return profile->parameter[PO_TRUNCATED_R];
 }
 
-static double cut_gap(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double cut_gap(const po_profile *profile, double r) {
   const double b = cut_flat(profile);
   return r > b ? 0.5 * (r - b) * (r + b) / cut_radius(profile) : 0.0;
 }
 
-static double cut_slope(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double cut_slope(const po_profile *profile, double r) {
   return r > cut_flat(profile) ? r / cut_radius(profile) : 0.0;
 }
 
-static po_two cut_exact(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static po_two cut_exact(const po_profile *profile, double r) {
   const double b = cut_flat(profile);
   const po_two product = po_two_multiply(po_two_sum(r, -b), po_two_sum(r, b));
   return r > b ? po_two_divide(po_two_times(product, 0.5), po_two_of(cut_radius(profile)))
                : po_two_of(0.0);
 }
 
-static double cut_radius_of_gap(const po_profile *profile, double radius, double gap) {
-  (void)radius;
+static double cut_radius_of_gap(const po_profile *profile, double gap) {
   const double b = cut_flat(profile);
   return sqrt(b * b + 2.0 * cut_radius(profile) * gap);
 }

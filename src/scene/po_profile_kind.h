@@ -4,7 +4,6 @@
 
 #include "po_profile.h"
 
-/* `radius` is R of the sphere. */
 struct po_profile_kind {
   const char *name;
   size_t parameters; /* it has so many, from this one on */
@@ -12,11 +11,12 @@ struct po_profile_kind {
   /* Checks the parameters. Status: PO_BAD_INPUT with the value and what was expected. NULL: each is
    * finite and > 0. */
   po_status (*check)(const po_profile *profile);
-  double (*gap)(const po_profile *profile, double radius, double r);
-  double (*slope)(const po_profile *profile, double radius, double r);
-  po_two (*gap_exact)(const po_profile *profile, double radius, double r);
-  double (*gap_beyond)(const po_profile *profile, double radius, double r); /* NULL: f rises */
-  double (*radius_of_gap)(const po_profile *profile, double radius, double gap);
+  bool over_radius; /* the gap is that of these functions over R of the scene: of the sphere */
+  double (*gap)(const po_profile *profile, double r);
+  double (*slope)(const po_profile *profile, double r);
+  po_two (*gap_exact)(const po_profile *profile, double r);
+  double (*gap_beyond)(const po_profile *profile, double r); /* NULL: f rises */
+  double (*radius_of_gap)(const po_profile *profile, double gap);
   /* Sets the numbers that are not those of a profile as r^2: known everywhere, convex, without kink
    * and without detail. NULL: there are none. */
   void (*shape)(const po_profile *profile, po_shape *shape);

@@ -1,31 +1,32 @@
-/* Profiles that are one power of the radius: the sphere r^2/(2R), C r^n, and the cone t r. */
+/* Profiles that are one power of the radius: the sphere r^2/2 over R, C r^n, and the cone t r. */
 #include <math.h>
 
 #include "po_elementary.h"
 #include "po_profile_kind.h"
 #include "po_two_functions.h"
 
-static double sphere_gap(const po_profile *profile, double radius, double r) {
+static double sphere_gap(const po_profile *profile, double r) {
   (void)profile;
-  return 0.5 * r * r / radius;
+  return 0.5 * r * r;
 }
 
-static double sphere_slope(const po_profile *profile, double radius, double r) {
+static double sphere_slope(const po_profile *profile, double r) {
   (void)profile;
-  return r / radius;
+  return r;
 }
 
-static po_two sphere_exact(const po_profile *profile, double radius, double r) {
+static po_two sphere_exact(const po_profile *profile, double r) {
   (void)profile;
-  return po_two_divide(po_two_product(0.5 * r, r), po_two_of(radius));
+  return po_two_product(0.5 * r, r);
 }
 
-static double sphere_radius_of_gap(const po_profile *profile, double radius, double gap) {
+static double sphere_radius_of_gap(const po_profile *profile, double gap) {
   (void)profile;
-  return sqrt(2.0 * radius * gap);
+  return sqrt(2.0 * gap);
 }
 
 const po_profile_kind PO_SPHERE = {.name = "sphere",
+                                   .over_radius = true,
                                    .gap = sphere_gap,
                                    .slope = sphere_slope,
                                    .gap_exact = sphere_exact,
@@ -55,25 +56,21 @@ static po_status power_check(const po_profile *profile) {
                        SMALLEST_POWER, LARGEST_POWER);
 }
 
-static double power_gap(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double power_gap(const po_profile *profile, double r) {
   return factor(profile) * po_pow(r, exponent(profile));
 }
 
-static double power_slope(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double power_slope(const po_profile *profile, double r) {
   return factor(profile) * exponent(profile) * po_pow(r, exponent(profile) - 1.0);
 }
 
-static po_two power_exact(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static po_two power_exact(const po_profile *profile, double r) {
   if (r == 0.0)
     return po_two_of(0.0);
   return po_two_times(po_two_pow(po_two_of(r), po_two_of(exponent(profile))), factor(profile));
 }
 
-static double power_radius_of_gap(const po_profile *profile, double radius, double gap) {
-  (void)radius;
+static double power_radius_of_gap(const po_profile *profile, double gap) {
   return po_pow(gap / factor(profile), 1.0 / exponent(profile));
 }
 
@@ -95,24 +92,20 @@ static double tangent(const po_profile *profile) {
   return profile->parameter[PO_CONE_T];
 }
 
-static double cone_gap(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double cone_gap(const po_profile *profile, double r) {
   return tangent(profile) * r;
 }
 
-static double cone_slope(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double cone_slope(const po_profile *profile, double r) {
   (void)r;
   return tangent(profile);
 }
 
-static po_two cone_exact(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static po_two cone_exact(const po_profile *profile, double r) {
   return po_two_product(tangent(profile), r);
 }
 
-static double cone_radius_of_gap(const po_profile *profile, double radius, double gap) {
-  (void)radius;
+static double cone_radius_of_gap(const po_profile *profile, double gap) {
   return gap / tangent(profile);
 }
 

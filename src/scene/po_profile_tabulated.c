@@ -15,8 +15,7 @@ static size_t interval_of(const po_profile_table *t, double r) {
   return po_order_last_up_to(t->r, t->rows - 1, r);
 }
 
-static double gap(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static double gap(const po_profile *profile, double r) {
   const po_profile_table *t = profile->table;
   const size_t last = t->rows - 1;
   if (r > t->r[last])
@@ -26,10 +25,10 @@ static double gap(const po_profile *profile, double radius, double r) {
                           t->r[k + 1] - t->r[k]);
 }
 
-static double slope(const po_profile *profile, double radius, double r) {
+static double slope(const po_profile *profile, double r) {
   const po_profile_table *t = profile->table;
   if (r > t->r[t->rows - 1])
-    return t->growth * gap(profile, radius, r) / r;
+    return t->growth * gap(profile, r) / r;
   const size_t k = interval_of(t, r);
   return po_hermite_rate(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], r - t->r[k],
                          t->r[k + 1] - t->r[k]);
@@ -44,8 +43,7 @@ static po_two part_of(double gap, po_two rise, po_two x, po_two y) {
 /* The rows are doubles; their spline is evaluated in twice the precision. With x + y = 1
  *
  *   gap = y^2 (g0 + x (2 g0 + h s0)) + x^2 (g1 + y (2 g1 - h s1)) */
-static po_two gap_exact(const po_profile *profile, double radius, double r) {
-  (void)radius;
+static po_two gap_exact(const po_profile *profile, double r) {
   const po_profile_table *t = profile->table;
   const size_t last = t->rows - 1;
   if (r > t->r[last])
@@ -60,13 +58,13 @@ static po_two gap_exact(const po_profile *profile, double radius, double r) {
   return po_two_add(left, right);
 }
 
-static double gap_beyond(const po_profile *profile, double radius, double r) {
+static double gap_beyond(const po_profile *profile, double r) {
   const po_profile_table *t = profile->table;
   const size_t last = t->rows - 1;
   if (r >= t->r[last])
-    return gap(profile, radius, r);
+    return gap(profile, r);
   const size_t k = interval_of(t, r);
-  return isinf(t->detail) ? gap(profile, radius, r) : fmin(t->beyond[k], t->beyond[k + 1]);
+  return isinf(t->detail) ? gap(profile, r) : fmin(t->beyond[k], t->beyond[k + 1]);
 }
 
 typedef struct {
@@ -76,12 +74,11 @@ typedef struct {
 
 static double above(double r, const void *data) {
   const level *l = data;
-  return gap(l->profile, 0.0, r) - l->gap;
+  return gap(l->profile, r) - l->gap;
 }
 
 /* Found from outside, since a table need not rise everywhere. */
-static double radius_of_gap(const po_profile *profile, double radius, double sought) {
-  (void)radius;
+static double radius_of_gap(const po_profile *profile, double sought) {
   const po_profile_table *t = profile->table;
   size_t k = t->rows - 1;
   if (t->gap[k] <= sought)
