@@ -81,15 +81,14 @@ static po_form_input input_of(const po_case_file *file, const po_case_line *line
   const unsigned takes = po_form_find(line->theory)->takes;
   po_request request = po_request_default();
   po_form_input input = {.alpha = (double)NAN, .at = (double)NAN};
-  for (int groups = 0; groups < 2; ++groups) /* groups depend on other keys */
-    for (int key = 0; key < PO_KEY_END; ++key) {
-      const char *text =
-          po_key_is_group(key) == (groups > 0) ? value_of(file, line, row, key) : NULL;
-      if (!text)
-        continue;
-      po_key_set(&request, (po_key)key, text);
-      input.general = input.general || (is_general(key) && takes & PO_TAKES_PROFILE);
-    }
+  for (int key = 0; key < PO_KEY_END;
+       ++key) { /* the groups, which depend on other keys, are last */
+    const char *text = value_of(file, line, row, key);
+    if (!text)
+      continue;
+    po_key_set(&request, (po_key)key, text);
+    input.general = input.general || (is_general(key) && takes & PO_TAKES_PROFILE);
+  }
   for (unsigned i = 0; i < line->sweep_count; ++i) {
     const int key = po_key_of_name(line->sweep[i].key);
     if (key < 0 || key == PO_KEY_ALPHA)
