@@ -61,14 +61,6 @@ bool po_number_parse(const char *text, double *value) {
   return true;
 }
 
-bool po_number_parse_or_infinity(const char *text, double *value) {
-  if (strcmp(text, "inf") == 0) {
-    *value = (double)INFINITY;
-    return true;
-  }
-  return po_number_parse(text, value);
-}
-
 bool po_number_parse_count(const char *text, size_t *value) {
   const size_t digits = strlen(text);
   if (digits == 0 || digits > 15 || strspn(text, "0123456789") != digits)

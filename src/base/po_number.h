@@ -21,9 +21,6 @@ const char *po_number_or(const char *format, double value, const char *word,
  * `text` is such a number; only then *value is set. */
 bool po_number_parse(const char *text, double *value);
 
-/* As po_number_parse, but "inf" is accepted and gives INFINITY. */
-bool po_number_parse_or_infinity(const char *text, double *value);
-
 /* Parses a count: decimal digits only, at most 10^15. Returned: whether `text` is one; only then
  * *value is set. */
 bool po_number_parse_count(const char *text, size_t *value);

@@ -1,8 +1,9 @@
 #include "po_quote.h"
 
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "po_memory.h"
 
 /* Returned: whether a character is U+0000 to U+001F or U+007F to U+009F. */
 static bool is_control(const char *text, size_t length) {
@@ -27,7 +28,10 @@ static size_t announced(unsigned char first, unsigned char *least, unsigned char
   return first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
 }
 
-size_t po_utf8_present(const char *text, size_t *length) {
+/* Returned: the number of bytes at `text` that belong to its first character, and in *length the
+ * number, 1 to 4, that the first byte announces (0: it cannot begin a character). The returned
+ * number is smaller than *length if the character is incomplete. */
+static size_t present(const char *text, size_t *length) {
   const unsigned char *c = (const unsigned char *)text;
   unsigned char least, most;
   *length = announced(c[0], &least, &most);
@@ -45,17 +49,7 @@ size_t po_utf8_present(const char *text, size_t *length) {
  * well-formed byte sequences of the Unicode Standard (Table 3-7). */
 static size_t utf8_character(const char *text) {
   size_t length = 0;
-  return po_utf8_present(text, &length) == length ? length : 0;
-}
-
-bool po_utf8_is_valid(const char *text) {
-  while (*text) {
-    const size_t length = utf8_character(text);
-    if (length == 0)
-      return false;
-    text += length;
-  }
-  return true;
+  return present(text, &length) == length ? length : 0;
 }
 
 const char *po_quote_find(const char *text, size_t length) {
@@ -103,4 +97,30 @@ char *po_quote(const char *value, char shown[PO_QUOTE_LENGTH]) {
     length += found ? found : 1;
   }
   return quote(value, length, shown, PO_QUOTE_LENGTH);
+}
+
+static const char REPLACEMENT[] = "\xEF\xBF\xBD"; /* U+FFFD */
+
+char *po_quote_utf8(const char *text) {
+  char *copy = po_resize(NULL, (sizeof REPLACEMENT - 1) * strlen(text) + 1, 1);
+  if (!copy)
+    return NULL;
+  char *to = copy;
+  while (*text) {
+    size_t length = 0;
+    const size_t count = present(text, &length);
+    if (length > 0 && count == length) {
+      memcpy(to, text, length);
+      to += length;
+      text += length;
+    } else if (count > 0 && text[count] == '\0')
+      break;
+    else {
+      memcpy(to, REPLACEMENT, sizeof REPLACEMENT - 1);
+      to += sizeof REPLACEMENT - 1;
+      text += 1;
+    }
+  }
+  *to = '\0';
+  return copy;
 }

@@ -1,10 +1,9 @@
 /* Makes text from outside the program (arguments, file contents, file names) safe to print: control
- * characters, which a terminal would execute, and bytes that JSON cannot represent are escaped. And
- * the characters of UTF-8. */
+ * characters, which a terminal would execute, and bytes that JSON cannot represent are escaped or
+ * replaced. */
 #ifndef PO_QUOTE_H
 #define PO_QUOTE_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 /* Finds the first byte of `text`, `length` bytes and a NUL, that belongs to a control character or
@@ -22,12 +21,9 @@ enum { PO_QUOTE_BYTES = 80, PO_QUOTE_LENGTH = 4 * PO_QUOTE_BYTES + 1 };
 /* As po_quote_text, for a value in a message: its first 80 bytes; "empty" for an empty string. */
 char *po_quote(const char *value, char shown[PO_QUOTE_LENGTH]);
 
-/* Returned: whether the complete text is valid UTF-8. */
-bool po_utf8_is_valid(const char *text);
-
-/* Returned: the number of bytes at `text` that belong to its first character, and in *length the
- * number, 1 to 4, that the first byte announces (0: it cannot begin a character). The returned
- * number is smaller than *length if the character is incomplete. */
-size_t po_utf8_present(const char *text, size_t *length);
+/* Returned: a copy of a text in valid UTF-8, to be freed. Each byte that is not part of a character
+ * becomes U+FFFD (the replacement character); an incomplete character at the end of the text is
+ * left out. NULL with a message if memory runs out. */
+char *po_quote_utf8(const char *text);
 
 #endif

@@ -9,8 +9,6 @@
 #include "po_memory.h"
 #include "po_quote.h"
 
-static const char REPLACEMENT[] = "\xEF\xBF\xBD"; /* U+FFFD */
-
 static bool text_reserve(po_text *text, size_t extra) {
   if (text->failed)
     return false;
@@ -99,28 +97,4 @@ po_status po_text_print(po_text *text) {
     fputs(po_text_string(text), stdout);
   po_text_clear(text);
   return status;
-}
-
-char *po_text_utf8(const char *text) {
-  char *copy = po_resize(NULL, (sizeof REPLACEMENT - 1) * strlen(text) + 1, 1);
-  if (!copy)
-    return NULL;
-  char *to = copy;
-  while (*text) {
-    size_t length = 0;
-    const size_t count = po_utf8_present(text, &length);
-    if (length > 0 && count == length) {
-      memcpy(to, text, length);
-      to += length;
-      text += length;
-    } else if (count > 0 && text[count] == '\0')
-      break;
-    else {
-      memcpy(to, REPLACEMENT, sizeof REPLACEMENT - 1);
-      to += sizeof REPLACEMENT - 1;
-      text += 1;
-    }
-  }
-  *to = '\0';
-  return copy;
 }

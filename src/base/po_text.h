@@ -39,9 +39,4 @@ char *po_text_take(po_text *text);
  * printed. */
 po_status po_text_print(po_text *text);
 
-/* Returned: a copy of a text in valid UTF-8, to be freed. Each byte that is not part of a character
- * becomes U+FFFD (the replacement character); an incomplete character at the end of the text is
- * left out. NULL with a message if memory runs out. */
-char *po_text_utf8(const char *text);
-
 #endif

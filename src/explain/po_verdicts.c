@@ -7,6 +7,7 @@
 
 #include "po_memory.h"
 #include "po_order.h"
+#include "po_quote.h"
 #include "po_text.h"
 
 /* Adds the line of a check. A curve is not a single number; its line shows the largest distance
@@ -121,7 +122,7 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
 
 /* Adds a string to XML, which must be UTF-8. */
 static void add_escaped(po_text *text, const char *string) {
-  char *valid = po_text_utf8(string);
+  char *valid = po_quote_utf8(string);
   text->failed = text->failed || !valid;
   for (const char *c = valid; c && *c; ++c) {
     const char *entity = *c == '&'   ? "&amp;"

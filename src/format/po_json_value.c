@@ -26,9 +26,7 @@ json_t *po_json_count(uint64_t value) {
 json_t *po_json_text(const char *text) {
   if (!text)
     return json_null();
-  if (po_utf8_is_valid(text))
-    return checked(json_string_nocheck(text));
-  char *copy = po_text_utf8(text);
+  char *copy = po_quote_utf8(text);
   json_t *value = copy ? checked(json_string_nocheck(copy)) : NULL;
   free(copy);
   return value;

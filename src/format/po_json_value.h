@@ -18,7 +18,7 @@ json_t *po_json_number(double value);
 
 json_t *po_json_count(uint64_t value);
 
-/* Returned: a text, converted to valid UTF-8 if necessary (po_text_utf8); null for NULL. */
+/* Returned: a text, converted to valid UTF-8 if necessary (po_quote_utf8); null for NULL. */
 json_t *po_json_text(const char *text);
 
 /* As po_json_text, for an allocated text, which it frees; NULL for NULL, i.e. for a text whose

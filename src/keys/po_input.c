@@ -167,6 +167,15 @@ static bool set_of_table(po_request *request, po_profile_parameter parameter, do
   return set;
 }
 
+/* As po_number_parse, but "inf" is accepted and gives INFINITY. */
+static bool parse_or_infinity(const char *text, double *value) {
+  if (strcmp(text, "inf") == 0) {
+    *value = (double)INFINITY;
+    return true;
+  }
+  return po_number_parse(text, value);
+}
+
 bool po_key_parse(int key, const char *text, double *value) {
   switch ((value_type)KEYS[key].domain) {
   case ANY_NUMBER_DOMAIN:
@@ -176,12 +185,12 @@ bool po_key_parse(int key, const char *text, double *value) {
   case POSITIVE_DOMAIN:
     return po_number_parse(text, value) && *value > 0;
   case POSITIVE_OR_INFINITE_DOMAIN:
-    return po_number_parse_or_infinity(text, value) && *value > 0;
+    return parse_or_infinity(text, value) && *value > 0;
   case POSITIVE_OR_AUTO_DOMAIN:
     *value = INFINITY;
     return strcmp(text, "auto") == 0 || (po_number_parse(text, value) && *value > 0);
   case FINITE_OR_INFINITE_DOMAIN:
-    return po_number_parse_or_infinity(text, value) && *value > -INFINITY;
+    return parse_or_infinity(text, value) && *value > -INFINITY;
   default:
     return false;
   }

@@ -79,9 +79,9 @@ END_TEST
 
 START_TEST(number_takes_infinity_where_allowed) {
   double value = 0;
-  ck_assert(po_number_parse_or_infinity("inf", &value) && isinf(value));
-  ck_assert(!po_number_parse_or_infinity("-inf", &value));
-  ck_assert(!po_number_parse_or_infinity("nan", &value));
+  ck_assert(po_key_parse(PO_KEY_OUTER_RADIUS, "inf", &value) && isinf(value));
+  ck_assert(!po_key_parse(PO_KEY_OUTER_RADIUS, "-inf", &value));
+  ck_assert(!po_key_parse(PO_KEY_OUTER_RADIUS, "nan", &value));
   size_t count = 0;
   ck_assert(po_number_parse_count("501", &count) && count == 501);
   ck_assert(!po_number_parse_count("", &count) && !po_number_parse_count("5.0", &count));

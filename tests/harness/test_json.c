@@ -131,10 +131,9 @@ static const struct {
 
 START_TEST(text_becomes_utf8) {
   const char *text = TEXTS[_i].text, *repaired = TEXTS[_i].repaired;
-  char *copy = po_text_utf8(text);
+  char *copy = po_quote_utf8(text);
   ck_assert_ptr_nonnull(copy);
   ck_assert_str_eq(copy, repaired);
-  ck_assert_int_eq(po_utf8_is_valid(text), strcmp(text, repaired) == 0);
   json_t *value = po_json_text(text);
   ck_assert_str_eq(json_string_value(value), repaired);
   json_decref(value);
