@@ -91,8 +91,8 @@ po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)
   po_text expected = {0};
   po_text_add(&expected, "%s", what);
   for (int key = 0, named = 0; key < PO_KEY_END; ++key)
-    if (!fits || fits((po_key)key))
-      po_text_add(&expected, "%s%s", named++ ? ", " : ": ", po_key_name((po_key)key));
+    if (!fits || fits(key))
+      po_text_add(&expected, "%s%s", named++ ? ", " : ": ", po_key_name(key));
   const po_status status = po_schema_refuse(yaml, po_text_string(&expected), "%s.key", where);
   po_text_clear(&expected);
   return status;
@@ -112,15 +112,15 @@ po_status po_case_axis_check(const po_case *kase, po_axis *axis, const char *whe
   if (!axis->ascending)
     return PO_NO_MEMORY;
   for (unsigned i = 0; i < axis->values_count; ++i) {
-    if (!po_key_set(&request, (po_key)key, axis->values[i]))
-      return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
-    double number = po_key_number(&request, (po_key)key);
+    if (!po_key_set(&request, key, axis->values[i]))
+      return po_schema_refuse(yaml, po_key_expected(key), "%s.values[%u]", where, i + 1);
+    double number = po_key_number(&request, key);
     if (isnan(number)) /* a parameter of another law or profile than that of the request */
       po_number_parse(axis->values[i], &number);
     axis->ascending[i] = (po_axis_value){number, i};
   }
   qsort(axis->ascending, axis->values_count, sizeof *axis->ascending, by_number);
-  const unsigned same = find_same(axis, (po_key)key);
+  const unsigned same = find_same(axis, key);
   if (same < axis->values_count)
     return po_schema_refuse(yaml, "each value once", "%s.values[%u]", where, same + 1);
   return PO_OK;
@@ -180,7 +180,7 @@ static unsigned first_from(const po_axis *axis, double number) {
 static const double NEAR_VALUE = 16 * DBL_EPSILON;
 
 static bool axis_holds(const po_axis *axis, const po_request *request) {
-  const po_key key = (po_key)po_key_of_name(axis->key);
+  const po_key key = po_key_of_name(axis->key);
   const double number = po_key_number(request, key);
   const double margin = isfinite(number) ? NEAR_VALUE * fabs(number) : 0;
   for (unsigned n = first_from(axis, number - margin);
@@ -207,7 +207,7 @@ bool po_sweep_varies(const po_sweep *sweep, po_key key) {
   if (po_sweep_names(sweep, key))
     return true;
   for (int other = 0; other < PO_KEY_END; ++other)
-    if (po_key_target((po_key)other) == key && po_sweep_names(sweep, (po_key)other))
+    if (po_key_target(other) == key && po_sweep_names(sweep, other))
       return true;
   return false;
 }
@@ -215,7 +215,7 @@ bool po_sweep_varies(const po_sweep *sweep, po_key key) {
 /* Whether a key is drawn, directly or by a group. */
 static bool draws(const po_draw *draw, po_key key) {
   const int drawn = po_key_of_name(draw->key);
-  return drawn == (int)key || (drawn >= 0 && po_key_target((po_key)drawn) == key);
+  return drawn == key || (drawn >= 0 && po_key_target(drawn) == key);
 }
 
 bool po_case_draws(const po_case_file *file, po_key key) {

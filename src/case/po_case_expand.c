@@ -28,14 +28,14 @@ static unsigned count_of_sweep(const po_sweep *sweep) {
 static const char *value_of_sweep(const po_sweep *sweep, unsigned index, po_key key) {
   if (sweep->together)
     return sweep->together[index].values[key];
-  return po_key_of_name(sweep->axis.key) == (int)key ? sweep->axis.values[index] : NULL;
+  return po_key_of_name(sweep->axis.key) == key ? sweep->axis.values[index] : NULL;
 }
 
 static void find_names(po_sweep *sweep) {
   sweep->named = 0;
   for (unsigned i = 0; i < count_of_sweep(sweep); ++i)
     for (int key = 0; key < PO_KEY_END; ++key)
-      if (value_of_sweep(sweep, i, (po_key)key))
+      if (value_of_sweep(sweep, i, key))
         sweep->named |= UINT64_C(1) << key;
 }
 
@@ -57,9 +57,9 @@ static po_status check_together(const po_sweep *sweep, const char *where, const 
     unsigned given = 0;
     for (int key = 0; key < PO_KEY_END; ++key) {
       given += words->values[key] != NULL;
-      if (words->values[key] && !po_key_set(&request, (po_key)key, words->values[key]))
-        return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.together[%u].%s", where,
-                                i + 1, po_key_name((po_key)key));
+      if (words->values[key] && !po_key_set(&request, key, words->values[key]))
+        return po_schema_refuse(yaml, po_key_expected(key), "%s.together[%u].%s", where, i + 1,
+                                po_key_name(key));
     }
     if (!given)
       return po_schema_refuse(yaml, "keys of the scene", "%s.together[%u]", where, i + 1);
@@ -107,10 +107,10 @@ static po_status check_sweep(const po_case_file *file, const po_yaml *yaml) {
         return po_schema_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
       bool twice = false;
-      if (!po_sweep_varies(sweep, (po_key)key))
+      if (!po_sweep_varies(sweep, key))
         continue;
       for (unsigned k = 0; k < i; ++k)
-        twice = twice || po_sweep_varies(&file->sweep[k], (po_key)key);
+        twice = twice || po_sweep_varies(&file->sweep[k], key);
       if (twice || file->scene.values[key])
         return po_schema_refuse(
             yaml, twice ? "each key swept once" : "a key that the scene does not give", "%s.%s",
@@ -145,12 +145,12 @@ static po_status count_points(po_case *kase, const po_yaml *yaml) {
 static void add_setting(const po_case *kase, po_point *point, const po_sweep *sweep,
                         unsigned setting, po_text *label) {
   for (int key = 0; key < PO_KEY_END; ++key) {
-    const char *value = value_of_sweep(sweep, setting, (po_key)key);
+    const char *value = value_of_sweep(sweep, setting, key);
     if (!value)
       continue;
     if (!po_key_is_group(key))
-      po_key_set(&point->request, (po_key)key, value);
-    po_text_add(label, "%s%s=%s", label->length ? " " : "", po_key_name((po_key)key),
+      po_key_set(&point->request, key, value);
+    po_text_add(label, "%s%s=%s", label->length ? " " : "", po_key_name(key),
                 key == PO_KEY_PROFILE_FILE ? po_case_profile_shown(kase, value) : value);
   }
 }
@@ -175,15 +175,15 @@ static po_status parse_key(const po_case_file *file, unsigned index, const char 
                            const po_yaml *yaml) {
   po_draw *draw = &file->sample->keys[index];
   const int key = po_key_of_name(draw->key);
-  if (key < 0 || !is_quantity((po_key)key))
+  if (key < 0 || !is_quantity(key))
     return po_case_refuse_key(yaml, "a key of the scene whose value is a number, and not a count",
                               is_quantity, where);
   for (unsigned k = 0; k < index; ++k)
     if (strcmp(file->sample->keys[k].key, draw->key) == 0)
       return po_schema_refuse(yaml, "each key drawn once", "%s.key", where);
-  if (file->scene.values[key] || is_swept(file, (po_key)key))
+  if (file->scene.values[key] || is_swept(file, key))
     return po_schema_refuse(yaml, "a key that neither scene nor sweep gives", "%s.key", where);
-  draw->drawn = (po_key)key;
+  draw->drawn = key;
   return PO_OK;
 }
 
@@ -210,13 +210,12 @@ static po_status parse_unit(const po_case_file *file, unsigned index, const char
     return PO_OK;
   draw->by_root = strcmp(draw->times, ROOT_RADIUS) == 0;
   const int unit = draw->by_root ? PO_KEY_RADIUS : po_key_of_name(draw->times);
-  bool known =
-      unit >= 0 && is_quantity((po_key)unit) && (file->scene.values[unit] || is_swept(file, unit));
+  bool known = unit >= 0 && is_quantity(unit) && (file->scene.values[unit] || is_swept(file, unit));
   for (unsigned k = 0; k < index; ++k)
-    known = known || (int)file->sample->keys[k].drawn == unit;
+    known = known || file->sample->keys[k].drawn == unit;
   if (!known)
     return po_schema_refuse(yaml, NULL, "%s.times", where);
-  draw->unit = (po_key)unit;
+  draw->unit = unit;
   return PO_OK;
 }
 
@@ -275,8 +274,7 @@ static bool case_sample_draw(const po_case_file *file, size_t index, po_request 
       memcpy(group[draw->drawn - PO_KEY_COUNT], text, sizeof text);
   }
   for (int i = 0; i < GROUPS; ++i) /* again, after all keys that the groups depend on */
-    possible =
-        (!*group[i] || po_key_set(request, (po_key)(PO_KEY_COUNT + i), group[i])) && possible;
+    possible = (!*group[i] || po_key_set(request, PO_KEY_COUNT + i, group[i])) && possible;
   return possible;
 }
 
@@ -288,7 +286,7 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
   point->request = po_input_default();
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (file->scene.values[key])
-      po_key_set(&point->request, (po_key)key, file->scene.values[key]);
+      po_key_set(&point->request, key, file->scene.values[key]);
   size_t block = kase->point_count / (file->sample ? file->sample->count : 1);
   const size_t scene = index / block;
   const char *group[GROUPS];
@@ -301,14 +299,13 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
     block /= settings;
     const unsigned setting = (unsigned)(index / block % settings);
     for (int key = PO_KEY_COUNT; key < PO_KEY_END; ++key)
-      if (value_of_sweep(sweep, setting, (po_key)key))
-        group[key - PO_KEY_COUNT] = value_of_sweep(sweep, setting, (po_key)key);
+      if (value_of_sweep(sweep, setting, key))
+        group[key - PO_KEY_COUNT] = value_of_sweep(sweep, setting, key);
     add_setting(kase, point, sweep, setting, &label);
   }
   bool possible = case_sample_draw(file, scene, &point->request, &label);
   for (int i = 0; i < GROUPS; ++i) /* after the keys that the groups depend on */
-    possible = (!group[i] || po_key_set(&point->request, (po_key)(PO_KEY_COUNT + i), group[i])) &&
-               possible;
+    possible = (!group[i] || po_key_set(&point->request, PO_KEY_COUNT + i, group[i])) && possible;
   if (!label.length)
     po_text_add(&label, "scene");
   point->label = label.data;

@@ -30,8 +30,7 @@ static bool is_of_form(const po_form *form, int key) {
     return form->takes & PO_TAKES_PROFILE && key != PO_KEY_TABLE_SCALE && key != PO_KEY_SMOOTH &&
            key != PO_KEY_PROFILE_FILE;
   default: /* the closed forms are for the unbounded half-space */
-    return po_key_row_of(key)->owner == PO_OWNER_SCENE &&
-           po_key_target((po_key)key) != PO_KEY_OUTER_RADIUS;
+    return po_key_row_of(key)->owner == PO_OWNER_SCENE && po_key_target(key) != PO_KEY_OUTER_RADIUS;
   }
 }
 
@@ -71,7 +70,7 @@ static const char *value_of(const po_case_file *file, const po_case_line *line, 
     const int swept = po_key_of_name(line->sweep[i].key);
     if (swept == key)
       return swept_value(line, i, row);
-    target = target || swept == (int)po_key_target((po_key)key);
+    target = target || swept == po_key_target(key);
   }
   return po_key_is_group(key) && target ? NULL : file->scene.values[key];
 }
@@ -86,7 +85,7 @@ static po_form_input input_of(const po_case_file *file, const po_case_line *line
     const char *text = value_of(file, line, row, key);
     if (!text)
       continue;
-    po_key_set(&request, (po_key)key, text);
+    po_key_set(&request, key, text);
     input.general = input.general || (is_general(key) && takes & PO_TAKES_PROFILE);
   }
   for (unsigned i = 0; i < line->sweep_count; ++i) {
@@ -134,10 +133,10 @@ static po_status parse_axis(po_axis *axis, const po_form *form, const char *wher
   po_request scratch = po_request_default();
   for (unsigned i = 0; i < axis->values_count; ++i) {
     double value = 0;
-    if ((key < 0 || po_key_is_number((po_key)key)) && !po_number_parse(axis->values[i], &value))
+    if ((key < 0 || po_key_is_number(key)) && !po_number_parse(axis->values[i], &value))
       return po_schema_refuse(yaml, "a finite number", "%s.values[%u]", where, i + 1);
-    if (key >= 0 && !po_key_set(&scratch, (po_key)key, axis->values[i]))
-      return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
+    if (key >= 0 && !po_key_set(&scratch, key, axis->values[i]))
+      return po_schema_refuse(yaml, po_key_expected(key), "%s.values[%u]", where, i + 1);
   }
   return PO_OK;
 }
@@ -159,8 +158,8 @@ static po_status check_parameters(const po_case_file *file, const po_case_line *
       po_request request = po_request_default();
       const char *name = names ? names->values[k] : file->scene.values[owner];
       if (name)
-        po_key_set(&request, (po_key)owner, name);
-      if (isnan(po_key_number(&request, (po_key)key)))
+        po_key_set(&request, owner, name);
+      if (isnan(po_key_number(&request, key)))
         return po_schema_refuse(yaml, "a parameter of the law or the profile of every row",
                                 "lines[%u].sweep[%u].key", index + 1, i + 1);
     }

@@ -24,12 +24,12 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
     if (!is_derived(key))
       continue;
     if (file->scene.values[key])
-      return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name((po_key)key));
+      return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(key));
     for (unsigned k = 0; k < file->sweep_count; ++k)
-      if (po_sweep_varies(&file->sweep[k], (po_key)key))
+      if (po_sweep_varies(&file->sweep[k], key))
         return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1,
                                 file->sweep[k].together ? "together" : "key");
-    if (po_case_draws(file, (po_key)key))
+    if (po_case_draws(file, key))
       return po_schema_refuse(yaml, NOT_BOTH, "scene.physical");
   }
   return PO_OK;
@@ -156,7 +156,7 @@ static po_status read_physical(const po_case *kase, const po_yaml *yaml, po_requ
   if (!status)
     return PO_OK;
   char where[PO_CASE_WHERE_LENGTH];
-  snprintf(where, sizeof where, "%s%s", given.prefix, po_key_name((po_key)given.wrong));
+  snprintf(where, sizeof where, "%s%s", given.prefix, po_key_name(given.wrong));
   return case_refuse_for(yaml, given.text[given.wrong] ? where : "scene.physical", status);
 }
 
@@ -181,12 +181,12 @@ static po_status parse_physical(po_case *kase, const po_yaml *yaml) {
   kase->units = request.units;
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     char text[PO_KEY_TEXT_LENGTH];
-    if (!is_given_by(words->physical, key) || is_absent(&request, (po_key)key))
+    if (!is_given_by(words->physical, key) || is_absent(&request, key))
       continue;
     if (words->values[key])
       return po_schema_refuse(yaml, "only this key, or that of scene.physical", "scene.%s",
-                              po_key_name((po_key)key));
-    po_key_print(&request, (po_key)key, text);
+                              po_key_name(key));
+    po_key_print(&request, key, text);
     words->values[key] = po_copy_text(text);
     if (!words->values[key])
       return PO_NO_MEMORY;
@@ -225,8 +225,8 @@ static po_status check_settings(const po_sweep *sweep, unsigned number, const po
 static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
   po_request request = po_request_default();
   for (int key = 0; key < PO_KEY_END; ++key)
-    if (file->scene.values[key] && !po_key_set(&request, (po_key)key, file->scene.values[key]))
-      return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name((po_key)key));
+    if (file->scene.values[key] && !po_key_set(&request, key, file->scene.values[key]))
+      return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name(key));
   const bool panels = request.mesh.scheme == PO_PANEL && !po_case_varies(file, PO_KEY_SCHEME);
   const bool wavy = request.scene.amplitude > 0 || po_case_varies(file, PO_KEY_AMPLITUDE);
   const bool waves = file->scene.values[PO_KEY_WAVES] || po_case_varies(file, PO_KEY_WAVES);
@@ -264,7 +264,7 @@ static bool axis_has_parameter(const po_axis *axis, po_key key) {
     return false;
   for (unsigned i = 0; i < axis->values_count; ++i) {
     po_request request = po_request_default();
-    po_key_set(&request, (po_key)named, axis->values[i]);
+    po_key_set(&request, named, axis->values[i]);
     po_key_set(&request, key, "1");
     if (!isnan(po_key_number(&request, key))) /* one that the law or the profile lacks is NAN */
       return true;
@@ -276,11 +276,11 @@ static bool is_parameter_of_none(const po_case *kase, int key) {
   if (!po_key_is_parameter(key, PO_OWNER_LAW) && !po_key_is_parameter(key, PO_OWNER_PROFILE))
     return false;
   for (size_t k = 0; k < kase->point_count; ++k)
-    if (!isnan(po_key_number(&kase->points[k].request, (po_key)key)))
+    if (!isnan(po_key_number(&kase->points[k].request, key)))
       return false;
   for (unsigned i = 0; i < kase->file->lines_count; ++i)
     for (unsigned k = 0; k < kase->file->lines[i].sweep_count; ++k)
-      if (axis_has_parameter(&kase->file->lines[i].sweep[k], (po_key)key))
+      if (axis_has_parameter(&kase->file->lines[i].sweep[k], key))
         return false;
   return true;
 }
@@ -292,11 +292,11 @@ po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
     if (!is_parameter_of_none(kase, key))
       continue;
     if (file->scene.values[key])
-      return po_schema_refuse(yaml, EXPECTED, "scene.%s", po_key_name((po_key)key));
+      return po_schema_refuse(yaml, EXPECTED, "scene.%s", po_key_name(key));
     for (unsigned i = 0; i < file->sweep_count; ++i)
-      if (po_sweep_varies(&file->sweep[i], (po_key)key))
+      if (po_sweep_varies(&file->sweep[i], key))
         return po_schema_refuse(yaml, EXPECTED, "sweep[%u]", i + 1);
-    if (po_case_draws(file, (po_key)key))
+    if (po_case_draws(file, key))
       return po_schema_refuse(yaml, EXPECTED, "sample");
   }
   return PO_OK;

@@ -57,7 +57,7 @@ bool po_check_concerns(const po_check *check, const po_request *request) {
 po_request po_check_request(const po_check *check, const po_request *request) {
   po_request changed = *request;
   for (unsigned i = 0; i < check->as_if_count; ++i)
-    po_key_set(&changed, (po_key)po_key_of_name(check->as_if[i].key), check->as_if[i].values[0]);
+    po_key_set(&changed, po_key_of_name(check->as_if[i].key), check->as_if[i].values[0]);
   return changed;
 }
 

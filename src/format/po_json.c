@@ -219,17 +219,17 @@ static po_status read_into(const json_t *object, const po_block *block, void *ow
 json_t *po_json_input(const po_request *request) {
   json_t *object = po_json_empty_object();
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    const double value = po_key_number(request, (po_key)key);
+    const double value = po_key_number(request, key);
     char text[PO_KEY_TEXT_LENGTH];
-    po_key_print(request, (po_key)key, text);
+    po_key_print(request, key, text);
     json_t *item = NULL;
-    if (!po_key_is_number((po_key)key) || isinf(value))
+    if (!po_key_is_number(key) || isinf(value))
       item = strcmp(text, "-") == 0 ? json_null() : po_json_text(text);
     else if (key == PO_KEY_NODES)
       item = po_json_count(request->mesh.nodes);
     else
       item = po_json_number(value);
-    po_json_set(&object, po_key_name((po_key)key), item);
+    po_json_set(&object, po_key_name(key), item);
   }
   po_json_set(&object, "load_unit", po_json_text(po_input_load_unit(request)));
   return object;

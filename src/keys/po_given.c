@@ -19,12 +19,12 @@ static void write_name(const po_given *given, int key, char name[PO_KEY_NAME_LEN
   char flag[PO_FLAG_LENGTH];
   po_key_flag(key, flag);
   snprintf(name, PO_KEY_NAME_LENGTH, "%s%s", given->prefix,
-           are_options(given) ? flag : po_key_name((po_key)key));
+           are_options(given) ? flag : po_key_name(key));
 }
 
 void po_given_name(const po_given *given, po_key key, char name[PO_KEY_NAME_LENGTH]) {
   const int si = po_key_in_si(key);
-  write_name(given, given->si && si >= 0 ? si : (int)key, name);
+  write_name(given, given->si && si >= 0 ? si : key, name);
 }
 
 static const char UNCERTAIN[] =
@@ -54,9 +54,7 @@ static po_status set_key(po_given *given, int key, po_request *request) {
   if (!text)
     return PO_OK;
   if (key != PO_KEY_PROFILE_FILE)
-    return po_key_set(request, (po_key)key, text)
-               ? PO_OK
-               : refuse(given, key, "%s", po_key_expected((po_key)key));
+    return po_key_set(request, key, text) ? PO_OK : refuse(given, key, "%s", po_key_expected(key));
   given->wrong = key; /* the message states what is wrong with the file */
   const po_status status = po_profile_set_file(&request->scene.profile, text);
   if (!status && !request->radius_given)
@@ -87,14 +85,14 @@ double po_given_number(const po_given *given, po_key key, const po_units *units)
 /* Refuses two keys that set the same. */
 static po_status check_pairs(po_given *given) {
   for (int key = 0; key < PO_KEY_ALL; ++key) {
-    const po_key target = po_key_target((po_key)key);
+    const po_key target = po_key_target(key);
     const bool further = are_options(given) && key == PO_KEY_WAVES;
-    if (!given->text[key] || (int)target == key || further || !po_given_has(given, target) ||
+    if (!given->text[key] || target == key || further || !po_given_has(given, target) ||
         (po_key_row_of(key)->owner == PO_OWNER_SI && !given->text[target]))
       continue;
     char name[PO_KEY_NAME_LENGTH], other[PO_KEY_NAME_LENGTH];
     write_name(given, key, name);
-    write_name(given, given->text[target] ? (int)target : po_key_in_si((int)target), other);
+    write_name(given, given->text[target] ? target : po_key_in_si(target), other);
     return refuse(given, key, "only one of %s and %s", other, name);
   }
   return PO_OK;
@@ -161,7 +159,7 @@ static po_status read_physical(po_given *given, po_physical *p) {
 static po_status set_profile(po_given *given, double distance, po_request *request) {
   po_status status = PO_OK;
   for (int key = 0; key < PO_KEY_COUNT && !status; ++key)
-    if (po_key_row_of(key)->owner == PO_OWNER_PROFILE && po_key_target((po_key)key) == (po_key)key)
+    if (po_key_row_of(key)->owner == PO_OWNER_PROFILE && po_key_target(key) == key)
       status = set_key(given, key, request);
   given->wrong = status ? given->wrong : PO_KEY_PROFILE;
   if (!status && !given->text[PO_KEY_PROFILE_FILE])
@@ -217,12 +215,12 @@ static po_status set_physical(po_given *given, po_request *request) {
 /* Sets the keys in SI units that do not belong to the scene. */
 static po_status set_in_si(po_given *given, po_request *request) {
   for (int key = PO_KEY_END; key < PO_KEY_ALL; ++key) {
-    const po_key_row *target = po_key_row_of((int)po_key_target((po_key)key));
+    const po_key_row *target = po_key_row_of(po_key_target(key));
     double value = 0;
     if (!given->text[key] || target->owner != PO_OWNER_TRACE)
       continue;
     if (!po_key_parse(key, given->text[key], &value))
-      return refuse(given, key, "%s", po_key_expected((po_key)key));
+      return refuse(given, key, "%s", po_key_expected(key));
     if (po_key_row_of(key)->owner == PO_OWNER_SI)
       value = without_unit(key, value, &request->units);
     if (target->place != PO_NO_PLACE)
@@ -236,16 +234,16 @@ static po_status check_idle(po_given *given, const po_request *request) {
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     if (!given->text[key])
       continue;
-    if (po_key_is_of_other_scheme(request, (po_key)key))
+    if (po_key_is_of_other_scheme(request, key))
       return refuse(given, key, "it with the scheme %s, not %s",
                     key == PO_KEY_TOLERANCE ? "panel" : "ring or triangle",
                     po_scheme_name(request->mesh.scheme));
-    if (!isnan(po_key_number(request, (po_key)key)))
+    if (!isnan(po_key_number(request, key)))
       continue;
     if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)
       return refuse(given, key, "it beside the file of a profile");
     const bool law = po_key_row_of(key)->owner == PO_OWNER_LAW;
-    const char *name = po_key_name((po_key)key); /* begins with that of its law or profile */
+    const char *name = po_key_name(key); /* begins with that of its law or profile */
     return refuse(
         given, key, "it with the %s %.*s, not %s", law ? "law" : "profile", (int)strcspn(name, "_"),
         name, law ? po_law_name(&request->scene.law) : po_profile_name(&request->scene.profile));
@@ -293,7 +291,7 @@ po_status po_given_check_waves(po_given *given) {
   const po_key key = amplitude ? PO_KEY_WAVELENGTH : PO_KEY_AMPLITUDE;
   char name[PO_KEY_NAME_LENGTH];
   po_given_name(given, amplitude ? PO_KEY_AMPLITUDE : PO_KEY_WAVELENGTH, name);
-  return refuse(given, given->si ? po_key_in_si(key) : (int)key, "it beside %s", name);
+  return refuse(given, given->si ? po_key_in_si(key) : key, "it beside %s", name);
 }
 
 bool po_given_is_general(const po_given *given, const po_form *form, const po_scene *scene) {
@@ -326,7 +324,7 @@ po_status po_use_check(const char *what, const po_use *uses, size_t count) {
 
 /* The part of a scene to which a key belongs, as in po_form.takes; 0: no form depends on it. */
 static unsigned part_of(po_key key) {
-  const po_key_owner owner = po_key_row_of((int)key)->owner;
+  const po_key_owner owner = po_key_row_of(key)->owner;
   if (owner == PO_OWNER_LAW || owner == PO_OWNER_PROFILE)
     return owner == PO_OWNER_LAW ? PO_TAKES_LAW : PO_TAKES_PROFILE;
   switch (po_key_target(key)) {
@@ -357,7 +355,7 @@ po_status po_given_check_form(const po_given *given, const po_form *form, bool a
            takes == form->takes ? "" : "alpha");
   for (int other = 0; other < 2; ++other) /* tabor and coupling first */
     for (int k = 0; k < PO_KEY_END; ++k) {
-      const po_key key = (po_key)k;
+      const po_key key = k;
       if ((po_key_target(key) != PO_KEY_TABOR) != (other != 0))
         continue;
       const bool named = !po_key_is_number(key) || key == PO_KEY_COUPLING ||

@@ -51,7 +51,7 @@ enum { CONSTANT = false, VARIES = true };
 static const po_key_row KEYS[PO_KEY_ALL] = {PO_KEY_ROWS(ROW) PO_GROUP_ROWS(ROW) PO_GIVEN_ROWS(ROW)
                                                 PO_VARIABLE_ROWS(ROW)};
 
-const po_key_row *po_key_row_of(int key) {
+const po_key_row *po_key_row_of(po_key key) {
   return &KEYS[key];
 }
 
@@ -85,23 +85,23 @@ bool po_key_is_number(po_key key) {
   return KEYS[key].domain != NAME_DOMAIN;
 }
 
-bool po_key_is_group(int key) {
+bool po_key_is_group(po_key key) {
   return key >= PO_KEY_COUNT && key < PO_KEY_END;
 }
 
-bool po_key_is_parameter(int key, po_key_owner owner) {
+bool po_key_is_parameter(po_key key, po_key_owner owner) {
   return key >= 0 && KEYS[key].owner == owner && KEYS[key].domain != NAME_DOMAIN;
 }
 
-bool po_key_is_continuous(int key) {
+bool po_key_is_continuous(po_key key) {
   return key >= 0 && KEYS[key].varies;
 }
 
 po_key po_key_target(po_key key) {
-  return KEYS[key].target < 0 ? key : (po_key)KEYS[key].target;
+  return KEYS[key].target < 0 ? key : KEYS[key].target;
 }
 
-int po_key_in_si(int key) {
+int po_key_in_si(po_key key) {
   for (int si = PO_KEY_END; si < PO_KEY_ALL; ++si)
     if (KEYS[si].target == key)
       return si;
@@ -115,7 +115,7 @@ static double *key_place(po_request *request, po_key key) {
 }
 
 /* The number of a parameter among those of all laws, or of all profiles. */
-static int parameter_of(int key) {
+static int parameter_of(po_key key) {
   const size_t first = KEYS[key].owner == PO_OWNER_LAW
                            ? offsetof(po_request, scene.law.parameter)
                            : offsetof(po_request, scene.profile.parameter);
@@ -125,9 +125,9 @@ static int parameter_of(int key) {
 /* Whether the law or the profile of a request has the parameter that a key is. */
 static bool has_parameter(const po_request *request, po_key key) {
   if (po_key_is_parameter(key, PO_OWNER_LAW))
-    return po_law_has(&request->scene.law, (po_law_parameter)parameter_of((int)key));
+    return po_law_has(&request->scene.law, (po_law_parameter)parameter_of(key));
   return !po_key_is_parameter(key, PO_OWNER_PROFILE) ||
-         po_profile_has(&request->scene.profile, (po_profile_parameter)parameter_of((int)key));
+         po_profile_has(&request->scene.profile, (po_profile_parameter)parameter_of(key));
 }
 
 /* The radius of a profile for which none was given. */
@@ -176,7 +176,7 @@ static bool parse_or_infinity(const char *text, double *value) {
   return po_number_parse(text, value);
 }
 
-bool po_key_parse(int key, const char *text, double *value) {
+bool po_key_parse(po_key key, const char *text, double *value) {
   switch ((value_type)KEYS[key].domain) {
   case ANY_NUMBER_DOMAIN:
     return po_number_parse(text, value);
@@ -225,9 +225,9 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
   if (po_key_is_group(key) && !isnormal(value) && (value != 0 || key == PO_KEY_OUTER_RATIO))
     return false;
   if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)
-    return set_of_table(request, (po_profile_parameter)parameter_of((int)key), value);
+    return set_of_table(request, (po_profile_parameter)parameter_of(key), value);
   if (po_key_is_parameter(key, PO_OWNER_LAW))
-    po_law_set_parameter(&request->scene.law, (po_law_parameter)parameter_of((int)key), value);
+    po_law_set_parameter(&request->scene.law, (po_law_parameter)parameter_of(key), value);
   else
     *key_place(request, po_key_target(key)) = value;
   return true;
@@ -265,7 +265,7 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
 }
 
 bool po_key_is_of_scene(po_key key) {
-  return KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group((int)key);
+  return KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group(key);
 }
 
 bool po_input_has_coupling(const po_request *request) {
@@ -296,7 +296,7 @@ static bool parameters_match(const po_request *a, const po_request *b, po_key_ow
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     if (!po_key_is_parameter(key, owner) || !po_key_is_continuous(key))
       continue;
-    const double x = po_key_number(a, (po_key)key), y = po_key_number(b, (po_key)key);
+    const double x = po_key_number(a, key), y = po_key_number(b, key);
     if (!isnan(y) && !is_close(x, y))
       return false;
   }

@@ -14,8 +14,10 @@
 #include "po_request.h"
 #include "po_text.h"
 
+/* A key, or a group, by its number. */
+typedef int po_key;
 #define PO_KEY_ENUMERATOR(key, ...) PO_KEY_##key,
-typedef enum {
+enum {
   PO_KEY_ROWS(PO_KEY_ENUMERATOR) PO_KEY_COUNT,
   PO_KEY_BEFORE_GROUPS = PO_KEY_COUNT - 1,
   PO_GROUP_ROWS(PO_KEY_ENUMERATOR) PO_KEY_END,
@@ -23,7 +25,7 @@ typedef enum {
   PO_GIVEN_ROWS(PO_KEY_ENUMERATOR) PO_KEY_VARIABLES,
   PO_KEY_BEFORE_VARIABLES = PO_KEY_VARIABLES - 1,
   PO_VARIABLE_ROWS(PO_KEY_ENUMERATOR) PO_KEY_ALL
-} po_key;
+};
 
 /* What a key belongs to. A law or a profile may have a parameter or not. */
 typedef enum {
@@ -52,7 +54,7 @@ typedef struct {
   const char *value, *help, *help_of_form; /* the latter of theory; "": the same */
 } po_key_row;
 #define PO_NO_PLACE ((size_t)-1)
-const po_key_row *po_key_row_of(int key);
+const po_key_row *po_key_row_of(po_key key);
 
 /* The longest text of a value, and its NUL: a path or all waves. */
 enum { PO_KEY_TEXT_LENGTH = 1024 };
@@ -70,7 +72,7 @@ const char *po_key_name(po_key key);
 
 /* The name of the option of a key: its name with dashes, in the singular for the waves. */
 enum { PO_FLAG_LENGTH = 32 };
-void po_key_flag(int key, char flag[PO_FLAG_LENGTH]);
+void po_key_flag(po_key key, char flag[PO_FLAG_LENGTH]);
 
 /* Returned: the accepted values, e.g. "a finite number > 0", as messages print them after "expected
  * ". */
@@ -80,21 +82,21 @@ const char *po_key_expected(po_key key);
 bool po_key_is_number(po_key key);
 
 /* Returned: whether the value is a number that can vary continuously along a series of scenes. */
-bool po_key_is_continuous(int key);
+bool po_key_is_continuous(po_key key);
 
 /* Returned: whether a key is a parameter of the laws, or of the profiles. */
-bool po_key_is_parameter(int key, po_key_owner owner);
+bool po_key_is_parameter(po_key key, po_key_owner owner);
 
 /* Returned: whether a key is a group; and the key that a group, `profile_file`, `waves` or a key in
  * SI units sets (otherwise the key itself). A group must be set after all other keys. */
-bool po_key_is_group(int key);
+bool po_key_is_group(po_key key);
 po_key po_key_target(po_key key);
 
 /* Returned: the key that gives the same in SI units: PO_KEY_RADIUS_M of PO_KEY_RADIUS; -1: none. */
-int po_key_in_si(int key);
+int po_key_in_si(po_key key);
 
 /* Parses the number of a key. Returned: false if the key does not accept the text. */
-bool po_key_parse(int key, const char *text, double *value);
+bool po_key_parse(po_key key, const char *text, double *value);
 
 /* Sets a key to the value in `text`; a key of po_given.h that a request cannot hold is only
  * checked. Returned: false if the key does not accept the value; then the request is unchanged. A

@@ -97,8 +97,8 @@ static bool print_coupling(const po_request *request, char text[PO_KEY_TEXT_LENG
          po_scene_tabor_of_coupling(coupling, request->scene.radius) == request->scene.tabor;
 }
 
-void po_key_flag(int key, char flag[PO_FLAG_LENGTH]) {
-  snprintf(flag, PO_FLAG_LENGTH, "%s", key == PO_KEY_WAVES ? "wave" : po_key_name((po_key)key));
+void po_key_flag(po_key key, char flag[PO_FLAG_LENGTH]) {
+  snprintf(flag, PO_FLAG_LENGTH, "%s", key == PO_KEY_WAVES ? "wave" : po_key_name(key));
   for (char *c = flag; *c; ++c)
     if (*c == '_')
       *c = '-';
@@ -114,7 +114,7 @@ static void add_option(po_text *command, const po_request *request, po_key key, 
     add_waves(command, value);
     return;
   }
-  po_key_flag((int)key, flag);
+  po_key_flag(key, flag);
   po_text_add(command, " --%s ", flag);
   if (key == PO_KEY_PROFILE_FILE)
     po_text_add_word(command, identity ? po_profile_digest(&request->scene.profile) : value);
@@ -125,9 +125,9 @@ static void add_option(po_text *command, const po_request *request, po_key key, 
 static void describe(const po_request *request, bool identity, po_text *command) {
   po_text_add(command, "pulloff solve");
   for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (!po_key_is_idle(request, (po_key)key) &&
+    if (!po_key_is_idle(request, key) &&
         (identity || key != PO_KEY_RADIUS || !po_input_has_coupling(request)))
-      add_option(command, request, (po_key)key, identity);
+      add_option(command, request, key, identity);
   /* without the preload, a single solve would search beyond the default one */
   if (adds_preload(request)) {
     char load[PO_NUMBER_LENGTH];

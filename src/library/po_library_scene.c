@@ -107,7 +107,7 @@ static po_status set(pulloff_scene *scene, int key, const char *value) {
     return PO_OK;
   }
   po_request scratch = po_input_default();
-  if (value && !po_key_set(&scratch, (po_key)key, value))
+  if (value && !po_key_set(&scratch, key, value))
     return po_no_memory_or(refuse(key, value));
   char *copy = value ? po_copy_text(value) : NULL;
   if (value && !copy)
@@ -177,9 +177,9 @@ static po_status get(const pulloff_scene *scene, int key, char *text, size_t siz
     return status;
   char value[PO_KEY_TEXT_LENGTH] = "auto";
   if (key < PO_KEY_COUNT)
-    po_key_print(&request, (po_key)key, value);
+    po_key_print(&request, key, value);
   else if (key < PO_KEY_END)
-    print_number(po_key_number(&request, (po_key)key), value);
+    print_number(po_key_number(&request, key), value);
   else if (key < WANT && scene->text[key])
     snprintf(value, sizeof value, "%s", scene->text[key]);
   if (key != WANT) {
@@ -227,8 +227,7 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
     char text[PO_NUMBER_LENGTH];
     print_number(values[i].value, text);
     set(changed,
-        po_key_target(values[i].key) == values[i].key ? PO_KEY_TABOR
-                                                      : (int)po_key_target(values[i].key),
+        po_key_target(values[i].key) == values[i].key ? PO_KEY_TABOR : po_key_target(values[i].key),
         NULL);
     status = set(changed, (int)values[i].key, values[i].value == values[i].idle ? NULL : text);
   }

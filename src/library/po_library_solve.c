@@ -48,7 +48,7 @@ static po_status make_requests(const pulloff_scene *scene, const char *name, con
                                size_t count, po_request *requests) {
   char shown[PO_QUOTE_LENGTH];
   const int key = po_given_key(name);
-  if (key < 0 || !po_key_is_number((po_key)key)) {
+  if (key < 0 || !po_key_is_number(key)) {
     po_fail(PO_BAD_INPUT, "the key of a series is %s: expected a number of the scene",
             po_quote(name, shown));
     return po_library_suggest(name);

@@ -37,7 +37,7 @@ static void leave(place *at, size_t length) {
 
 /* Returned: the permitted values of a field, as in messages. */
 static const char *expected_of(const po_field *field) {
-  return field->expected ? field->expected : po_key_expected((po_key)po_given_key(field->key));
+  return field->expected ? field->expected : po_key_expected(po_given_key(field->key));
 }
 
 static po_status refuse(const place *at, const po_field *field) {
