@@ -12,16 +12,16 @@
 static po_status parse_range(const po_axis *axis, const char *where, const po_yaml *yaml,
                              po_range *r) {
   if (!axis->from_text || !po_number_parse(axis->from_text, &r->from))
-    return po_schema_refuse(yaml, NULL, "%s.from", where);
+    return po_fields_refuse(yaml, NULL, "%s.from", where);
   if (!axis->to_text || !po_number_parse(axis->to_text, &r->to) || !(r->to > r->from))
-    return po_schema_refuse(yaml, NULL, "%s.to", where);
+    return po_fields_refuse(yaml, NULL, "%s.to", where);
   if (!axis->count_text || !po_number_parse_count(axis->count_text, &r->count) || r->count < 2 ||
       r->count > PO_MOST_VALUES)
-    return po_schema_refuse(yaml, NULL, "%s.count", where);
+    return po_fields_refuse(yaml, NULL, "%s.count", where);
   if (axis->scale && !po_range_read_scale(axis->scale, &r->log))
-    return po_schema_refuse(yaml, NULL, "%s.scale", where);
+    return po_fields_refuse(yaml, NULL, "%s.scale", where);
   if (r->log && r->from <= 0)
-    return po_schema_refuse(yaml, "a finite number > 0, as the scale is log", "%s.from", where);
+    return po_fields_refuse(yaml, "a finite number > 0, as the scale is log", "%s.from", where);
   return PO_OK;
 }
 
@@ -30,10 +30,10 @@ po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml) {
   const bool ranged = axis->from_text || axis->to_text || axis->count_text || axis->scale;
   if (axis->values)
     return ranged
-               ? po_schema_refuse(yaml, "either values, or from, to and count", "%s.values", where)
+               ? po_fields_refuse(yaml, "either values, or from, to and count", "%s.values", where)
                : PO_OK;
   if (!ranged)
-    return po_schema_refuse(yaml, "a list of values, or from, to and count", "%s.values", where);
+    return po_fields_refuse(yaml, "a list of values, or from, to and count", "%s.values", where);
   const po_status status = parse_range(axis, where, yaml, &r);
   if (status)
     return status;
@@ -93,7 +93,7 @@ po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)
   for (int key = 0, named = 0; key < PO_KEY_END; ++key)
     if (!fits || fits(key))
       po_text_add(&expected, "%s%s", named++ ? ", " : ": ", po_key_name(key));
-  const po_status status = po_schema_refuse(yaml, po_text_string(&expected), "%s.key", where);
+  const po_status status = po_fields_refuse(yaml, po_text_string(&expected), "%s.key", where);
   po_text_clear(&expected);
   return status;
 }
@@ -113,7 +113,7 @@ po_status po_case_axis_check(const po_case *kase, po_axis *axis, const char *whe
     return PO_NO_MEMORY;
   for (unsigned i = 0; i < axis->values_count; ++i) {
     if (!po_key_set(&request, key, axis->values[i]))
-      return po_schema_refuse(yaml, po_key_expected(key), "%s.values[%u]", where, i + 1);
+      return po_fields_refuse(yaml, po_key_expected(key), "%s.values[%u]", where, i + 1);
     double number = po_key_number(&request, key);
     if (isnan(number)) /* a parameter of another law or profile than that of the request */
       po_number_parse(axis->values[i], &number);
@@ -122,7 +122,7 @@ po_status po_case_axis_check(const po_case *kase, po_axis *axis, const char *whe
   qsort(axis->ascending, axis->values_count, sizeof *axis->ascending, by_number);
   const unsigned same = find_same(axis, key);
   if (same < axis->values_count)
-    return po_schema_refuse(yaml, "each value once", "%s.values[%u]", where, same + 1);
+    return po_fields_refuse(yaml, "each value once", "%s.values[%u]", where, same + 1);
   return PO_OK;
 }
 

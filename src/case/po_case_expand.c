@@ -58,17 +58,17 @@ static po_status check_together(const po_sweep *sweep, const char *where, const 
     for (int key = 0; key < PO_KEY_END; ++key) {
       given += words->values[key] != NULL;
       if (words->values[key] && !po_key_set(&request, key, words->values[key]))
-        return po_schema_refuse(yaml, po_key_expected(key), "%s.together[%u].%s", where, i + 1,
+        return po_fields_refuse(yaml, po_key_expected(key), "%s.together[%u].%s", where, i + 1,
                                 po_key_name(key));
     }
     if (!given)
-      return po_schema_refuse(yaml, "keys of the scene", "%s.together[%u]", where, i + 1);
+      return po_fields_refuse(yaml, "keys of the scene", "%s.together[%u]", where, i + 1);
   }
   po_repeat repeat;
   const po_status status = po_order_find_repeat(
       sweep->together, sweep->together_count, sizeof *sweep->together, by_settings, NULL, &repeat);
   if (!status && repeat.found)
-    return po_schema_refuse(yaml, "each setting once", "%s.together[%zu]", where, repeat.again + 1);
+    return po_fields_refuse(yaml, "each setting once", "%s.together[%zu]", where, repeat.again + 1);
   return status;
 }
 
@@ -79,7 +79,7 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
   if (sweep->together && !axis->key && !axis->values && !ranged)
     return check_together(sweep, where, yaml);
   if (sweep->together)
-    return po_schema_refuse(yaml, "key and values, or together alone", "%s.together", where);
+    return po_fields_refuse(yaml, "key and values, or together alone", "%s.together", where);
   if (!axis->key)
     return po_case_refuse_key(yaml, "a key of the scene", NULL, where);
   const po_status status = po_axis_fill(axis, where, yaml);
@@ -104,7 +104,7 @@ static po_status check_sweep(const po_case_file *file, const po_yaml *yaml) {
     find_names(sweep);
     for (unsigned k = 0; k < i; ++k)
       if (has_waviness(sweep) && has_waviness(&file->sweep[k]))
-        return po_schema_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
+        return po_fields_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
       bool twice = false;
       if (!po_sweep_varies(sweep, key))
@@ -112,7 +112,7 @@ static po_status check_sweep(const po_case_file *file, const po_yaml *yaml) {
       for (unsigned k = 0; k < i; ++k)
         twice = twice || po_sweep_varies(&file->sweep[k], key);
       if (twice || file->scene.values[key])
-        return po_schema_refuse(
+        return po_fields_refuse(
             yaml, twice ? "each key swept once" : "a key that the scene does not give", "%s.%s",
             where, sweep->together ? "together" : "key");
     }
@@ -124,7 +124,7 @@ static po_status count_points(po_case *kase, const po_yaml *yaml) {
   const po_sample_words *sample = kase->file->sample;
   size_t count = 1;
   if (sample && sample->count > MOST_POINTS)
-    return po_schema_refuse(yaml, NULL, "sample.count");
+    return po_fields_refuse(yaml, NULL, "sample.count");
   for (unsigned i = 0; i < kase->file->sweep_count; ++i) {
     count *= count_of_sweep(&kase->file->sweep[i]);
     if (count > MOST_POINTS)
@@ -180,9 +180,9 @@ static po_status parse_key(const po_case_file *file, unsigned index, const char 
                               is_quantity, where);
   for (unsigned k = 0; k < index; ++k)
     if (strcmp(file->sample->keys[k].key, draw->key) == 0)
-      return po_schema_refuse(yaml, "each key drawn once", "%s.key", where);
+      return po_fields_refuse(yaml, "each key drawn once", "%s.key", where);
   if (file->scene.values[key] || is_swept(file, key))
-    return po_schema_refuse(yaml, "a key that neither scene nor sweep gives", "%s.key", where);
+    return po_fields_refuse(yaml, "a key that neither scene nor sweep gives", "%s.key", where);
   draw->drawn = key;
   return PO_OK;
 }
@@ -190,14 +190,14 @@ static po_status parse_key(const po_case_file *file, unsigned index, const char 
 static po_status parse_range(po_draw *draw, const char *where, const po_yaml *yaml) {
   po_request any = po_request_default();
   if (draw->scale && !po_range_read_scale(draw->scale, &draw->log))
-    return po_schema_refuse(yaml, NULL, "%s.scale", where);
+    return po_fields_refuse(yaml, NULL, "%s.scale", where);
   if (!po_number_parse(draw->from_text, &draw->from) ||
       !po_key_set(&any, draw->drawn, draw->from_text))
-    return po_schema_refuse(yaml, po_key_expected(draw->drawn), "%s.from", where);
+    return po_fields_refuse(yaml, po_key_expected(draw->drawn), "%s.from", where);
   if (draw->log && draw->from <= 0)
-    return po_schema_refuse(yaml, "a finite number > 0, as the scale is log", "%s.from", where);
+    return po_fields_refuse(yaml, "a finite number > 0, as the scale is log", "%s.from", where);
   if (!po_number_parse(draw->to_text, &draw->to) || draw->to <= draw->from)
-    return po_schema_refuse(yaml, NULL, "%s.to", where);
+    return po_fields_refuse(yaml, NULL, "%s.to", where);
   return PO_OK;
 }
 
@@ -214,7 +214,7 @@ static po_status parse_unit(const po_case_file *file, unsigned index, const char
   for (unsigned k = 0; k < index; ++k)
     known = known || file->sample->keys[k].drawn == unit;
   if (!known)
-    return po_schema_refuse(yaml, NULL, "%s.times", where);
+    return po_fields_refuse(yaml, NULL, "%s.times", where);
   draw->unit = unit;
   return PO_OK;
 }
@@ -225,9 +225,9 @@ static po_status parse_sample(const po_case_file *file, const po_yaml *yaml) {
     return PO_OK;
   size_t seed = 0;
   if (!po_number_parse_count(sample->seed_text, &seed))
-    return po_schema_refuse(yaml, NULL, "sample.seed");
+    return po_fields_refuse(yaml, NULL, "sample.seed");
   if (!po_number_parse_count(sample->count_text, &sample->count) || sample->count < 1)
-    return po_schema_refuse(yaml, NULL, "sample.count");
+    return po_fields_refuse(yaml, NULL, "sample.count");
   sample->seed = seed;
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < sample->keys_count; ++i) {
@@ -344,7 +344,7 @@ static po_status keep_points(po_case *kase, const po_yaml *yaml) {
     kase->points[kept++] = *point;
   }
   kase->point_count = kept;
-  return kept ? PO_OK : po_schema_refuse(yaml, "rules that do not exclude all points", "leave_out");
+  return kept ? PO_OK : po_fields_refuse(yaml, "rules that do not exclude all points", "leave_out");
 }
 
 /* Reports whether a point lies between two checkpoints. Checkpoints, and the last scene of a
@@ -362,9 +362,9 @@ static po_status draw_traced(po_case *kase, const po_yaml *yaml) {
   for (size_t i = 0; i < kase->point_count; ++i)
     between += is_between(kase, i);
   if (!po_number_parse_count(words->seed_text, &seed))
-    return po_schema_refuse(yaml, NULL, "traced.seed");
+    return po_fields_refuse(yaml, NULL, "traced.seed");
   if (!po_number_parse_count(words->count_text, &count) || count < 1 || count > between)
-    return po_schema_refuse(yaml, NULL, "traced.count");
+    return po_fields_refuse(yaml, NULL, "traced.count");
   for (uint64_t draw = 0; count > 0; ++draw) { /* skips checkpoints and repeated scenes */
     const double part = po_random_uniform(seed, draw, "traced");
     const size_t i = (size_t)floor(part * (double)kase->point_count);

@@ -122,7 +122,7 @@ static po_status parse_axis(po_axis *axis, const po_form *form, const char *wher
                             const po_yaml *yaml) {
   const int key = po_key_of_name(axis->key);
   if (!is_variable(form, axis->key) && !is_of_form(form, key))
-    return po_schema_refuse(yaml,
+    return po_fields_refuse(yaml,
                             "tabor, coupling, amplitude, wavelength, radius, alpha, "
                             "amplitude_ratio, the variable of the form, or a law, a profile or "
                             "waves if the form takes them",
@@ -134,9 +134,9 @@ static po_status parse_axis(po_axis *axis, const po_form *form, const char *wher
   for (unsigned i = 0; i < axis->values_count; ++i) {
     double value = 0;
     if ((key < 0 || po_key_is_number(key)) && !po_number_parse(axis->values[i], &value))
-      return po_schema_refuse(yaml, "a finite number", "%s.values[%u]", where, i + 1);
+      return po_fields_refuse(yaml, "a finite number", "%s.values[%u]", where, i + 1);
     if (key >= 0 && !po_key_set(&scratch, key, axis->values[i]))
-      return po_schema_refuse(yaml, po_key_expected(key), "%s.values[%u]", where, i + 1);
+      return po_fields_refuse(yaml, po_key_expected(key), "%s.values[%u]", where, i + 1);
   }
   return PO_OK;
 }
@@ -160,7 +160,7 @@ static po_status check_parameters(const po_case_file *file, const po_case_line *
       if (name)
         po_key_set(&request, owner, name);
       if (isnan(po_key_number(&request, key)))
-        return po_schema_refuse(yaml, "a parameter of the law or the profile of every row",
+        return po_fields_refuse(yaml, "a parameter of the law or the profile of every row",
                                 "lines[%u].sweep[%u].key", index + 1, i + 1);
     }
   }
@@ -188,11 +188,11 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
   po_case_line *line = &file->lines[index];
   const po_form *form = po_form_find(line->theory);
   if (!po_case_is_name(line->name))
-    return po_schema_refuse(yaml, NULL, "lines[%u].name", index + 1);
+    return po_fields_refuse(yaml, NULL, "lines[%u].name", index + 1);
   if (!form)
-    return po_schema_refuse(yaml, PO_FORM_NAMES, "lines[%u].theory", index + 1);
+    return po_fields_refuse(yaml, PO_FORM_NAMES, "lines[%u].theory", index + 1);
   if (line->sweep_count > MOST_AXES)
-    return po_schema_refuse(yaml, "a sweep of at most 8 keys", "lines[%u].sweep", index + 1);
+    return po_fields_refuse(yaml, "a sweep of at most 8 keys", "lines[%u].sweep", index + 1);
   for (unsigned i = 0; i < line->sweep_count; ++i) {
     char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "lines[%u].sweep[%u]", index + 1, i + 1);
@@ -201,10 +201,10 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
       return status;
     for (unsigned k = 0; k < i; ++k)
       if (strcmp(line->sweep[i].key, line->sweep[k].key) == 0)
-        return po_schema_refuse(yaml, "each key swept once", "%s.key", where);
+        return po_fields_refuse(yaml, "each key swept once", "%s.key", where);
   }
   if (rows_of(line) > MOST_ROWS)
-    return po_schema_refuse(yaml, "fewer than 100000 combinations", "lines[%u].sweep", index + 1);
+    return po_fields_refuse(yaml, "fewer than 100000 combinations", "lines[%u].sweep", index + 1);
   po_status status = check_parameters(file, line, index, yaml);
   if (!status)
     status = check_scenes(file, line, index, yaml);
@@ -212,7 +212,7 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
     return status;
   const po_form_input input = input_of(file, line, 0);
   const char *missing = missing_input(form, &input);
-  return missing ? po_schema_refuse(yaml, missing, "lines[%u].theory", index + 1) : PO_OK;
+  return missing ? po_fields_refuse(yaml, missing, "lines[%u].theory", index + 1) : PO_OK;
 }
 
 static int by_name(const void *a, const void *b, void *unused) {
@@ -230,7 +230,7 @@ po_status po_case_lines_parse(po_case *kase, const po_yaml *yaml) {
     status = po_order_find_repeat(file->lines, file->lines_count, sizeof *file->lines, by_name,
                                   NULL, &repeat);
   return repeat.found
-             ? po_schema_refuse(yaml, "each name once", "lines[%zu].name", repeat.again + 1)
+             ? po_fields_refuse(yaml, "each name once", "lines[%zu].name", repeat.again + 1)
              : status;
 }
 

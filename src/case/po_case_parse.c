@@ -33,19 +33,19 @@ static unsigned want_of(const char *name) {
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   if (!po_case_is_name(file->name) || strlen(file->name) > 64)
-    return po_schema_refuse(yaml, NULL, "name");
+    return po_fields_refuse(yaml, NULL, "name");
   if (strcmp(file->name, PO_CASE_FOLDER_OF_SOLVERS) == 0)
-    return po_schema_refuse(yaml, "another name: records of external solvers are in this folder",
+    return po_fields_refuse(yaml, "another name: records of external solvers are in this folder",
                             "name");
   if (file->figure_script && !po_case_is_name(file->figure_script))
-    return po_schema_refuse(yaml, NULL, "figure_script");
+    return po_fields_refuse(yaml, NULL, "figure_script");
   for (unsigned i = 0; i < file->suite_names_count; ++i)
     if (!po_case_is_name(file->suite_names[i]))
-      return po_schema_refuse(yaml, "letters, digits, _ and -", "suites[%u]", i + 1);
+      return po_fields_refuse(yaml, "letters, digits, _ and -", "suites[%u]", i + 1);
   for (unsigned i = 0; i < file->want_names_count; ++i) {
     const unsigned want = want_of(file->want_names[i]);
     if (!want)
-      return po_schema_refuse(yaml,
+      return po_fields_refuse(yaml,
                               "pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, "
                               "preload or theories",
                               "want[%u]", i + 1);
@@ -58,7 +58,7 @@ static po_status parse_repeats(po_case *kase, const po_yaml *yaml) {
   size_t repeats = 1;
   if (kase->file->repeats_text &&
       (!po_number_parse_count(kase->file->repeats_text, &repeats) || repeats < 1 || repeats > 1000))
-    return po_schema_refuse(yaml, NULL, "repeats");
+    return po_fields_refuse(yaml, NULL, "repeats");
   kase->repeats = (unsigned)repeats;
   return PO_OK;
 }
@@ -81,7 +81,7 @@ static po_status complete_check(po_check *check, unsigned number, const po_yaml 
                         : !check->kind_text    ? "kind"
                         : !check->because      ? "because"
                                                : NULL;
-  return missing ? po_schema_refuse(yaml, NULL, "checks[%u].%s", number, missing) : PO_OK;
+  return missing ? po_fields_refuse(yaml, NULL, "checks[%u].%s", number, missing) : PO_OK;
 }
 
 static bool is_blank(const char *text) {
@@ -126,10 +126,10 @@ static po_status check_rules(const po_case_file *file, const po_check *check, un
   };
   for (size_t i = 0; i < sizeof rules / sizeof *rules; ++i)
     if (rules[i].broken)
-      return po_schema_refuse(yaml, rules[i].expected, "checks[%u].%s", number, rules[i].member);
+      return po_fields_refuse(yaml, rules[i].expected, "checks[%u].%s", number, rules[i].member);
   for (unsigned i = 0; i < check->as_if_count; ++i)
     if (check->as_if[i].values_count > 1)
-      return po_schema_refuse(yaml, "one value", "checks[%u].as_if[%u].values", number, i + 1);
+      return po_fields_refuse(yaml, "one value", "checks[%u].as_if[%u].values", number, i + 1);
   return PO_OK;
 }
 
@@ -139,7 +139,7 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   const int quantity = po_quantity_of_name(check->quantity_text);
   int kind = 0;
   if (quantity == PO_QUANTITY_COUNT)
-    return po_schema_refuse(yaml, NULL, "checks[%u].quantity", number);
+    return po_fields_refuse(yaml, NULL, "checks[%u].quantity", number);
   check->quantity = (po_quantity)quantity;
   check->type = po_reference_type_of(check->reference);
   const po_status complete = complete_check(check, number, yaml);
@@ -161,10 +161,10 @@ static po_status parse_measure(po_check *measure, unsigned number, const po_yaml
   const int quantity = po_quantity_of_name(measure->quantity_text);
   if (quantity == PO_QUANTITY_COUNT || (!po_quantity_is((po_quantity)quantity, PO_OF_PULL_OFF) &&
                                         !po_quantity_is((po_quantity)quantity, PO_OF_BRANCH)))
-    return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
+    return po_fields_refuse(yaml, NULL, "measure[%u].quantity", number);
   measure->type = po_reference_type_of(measure->reference);
   if (measure->type != PO_REFERENCE_BRADLEY && measure->type != PO_REFERENCE_TABLE)
-    return po_schema_refuse(yaml, NULL, "measure[%u].reference", number);
+    return po_fields_refuse(yaml, NULL, "measure[%u].reference", number);
   measure->quantity = (po_quantity)quantity;
   measure->tolerance = (double)INFINITY;
   measure->kind = PO_TOLERANCE_ABS;
@@ -181,9 +181,9 @@ static po_status check_stand_ins(po_case *kase, const po_yaml *yaml) {
       found = !file->checks[k].stand_in &&
               strcmp(file->checks[k].reference, file->checks[i].stand_in) == 0;
     if (!found)
-      return po_schema_refuse(yaml, NULL, "checks[%u].stand_in", i + 1);
+      return po_fields_refuse(yaml, NULL, "checks[%u].stand_in", i + 1);
     if (file->checks[i].stand_in && file->checks[i].type != PO_REFERENCE_TABLE)
-      return po_schema_refuse(yaml, "the path of a CSV file, as it has a stand-in",
+      return po_fields_refuse(yaml, "the path of a CSV file, as it has a stand-in",
                               "checks[%u].reference", i + 1);
   }
   return PO_OK;
@@ -210,13 +210,13 @@ static po_status check_concerned(po_case *kase, const po_yaml *yaml) {
   static const char EXPECTED[] = "a condition that holds for at least one point";
   for (unsigned i = 0; i < file->checks_count; ++i)
     if (concerns_none(kase, &file->checks[i]))
-      return po_schema_refuse(yaml, EXPECTED, "checks[%u].when", i + 1);
+      return po_fields_refuse(yaml, EXPECTED, "checks[%u].when", i + 1);
   for (unsigned i = 0; i < file->measure_count; ++i)
     if (concerns_none(kase, &file->measure[i]))
-      return po_schema_refuse(yaml, EXPECTED, "measure[%u].when", i + 1);
+      return po_fields_refuse(yaml, EXPECTED, "measure[%u].when", i + 1);
   for (unsigned i = 0; i < file->leave_out_count; ++i)
     if (!file->leave_out[i].points)
-      return po_schema_refuse(yaml, EXPECTED, "leave_out[%u].when", i + 1);
+      return po_fields_refuse(yaml, EXPECTED, "leave_out[%u].when", i + 1);
   return PO_OK;
 }
 
@@ -242,7 +242,7 @@ static po_status check_pinned(po_case *kase, const po_yaml *yaml) {
     for (size_t p = 0;
          !status && file->checks[i].type == PO_REFERENCE_PINS && p < kase->point_count; ++p)
       if (may_fail[p] && po_check_concerns(&file->checks[i], &kase->points[p].request))
-        status = po_schema_refuse(
+        status = po_fields_refuse(
             yaml, "a reference other than pin where a solved_share lets solves fail",
             "checks[%u].reference", i + 1);
   free(may_fail);
@@ -258,7 +258,7 @@ static po_status parse_checks(po_case *kase, const po_yaml *yaml) {
     status = parse_measure(&file->measure[i], i + 1, yaml);
   for (unsigned i = 0; !status && i < file->leave_out_count; ++i)
     if (is_blank(file->leave_out[i].because))
-      status = po_schema_refuse(yaml, NULL, "leave_out[%u].because", i + 1);
+      status = po_fields_refuse(yaml, NULL, "leave_out[%u].because", i + 1);
   return status ? status : po_case_each_axis(kase, yaml, po_case_axis_check);
 }
 
@@ -273,7 +273,7 @@ static po_status parse_checkpoints(po_case *kase, const po_yaml *yaml) {
   if (file->checkpoints_text &&
       (!file->follow || !po_number_parse_count(file->checkpoints_text, &kase->checkpoints) ||
        kase->checkpoints < 1 || kase->checkpoints > MOST_BETWEEN_CHECKPOINTS))
-    return po_schema_refuse(yaml, NULL, "checkpoint_every");
+    return po_fields_refuse(yaml, NULL, "checkpoint_every");
   return PO_OK;
 }
 
@@ -286,21 +286,21 @@ static po_status parse_follow(po_case *kase, const po_yaml *yaml) {
   const po_axis *last = file->sweep_count ? &file->sweep[file->sweep_count - 1].axis : NULL;
   if (!last || !last->key || strcmp(last->key, file->follow) != 0 ||
       !po_key_is_continuous(po_key_of_name(file->follow)))
-    return po_schema_refuse(yaml, NULL, "follow");
+    return po_fields_refuse(yaml, NULL, "follow");
   kase->series_length = last->values_count;
   if (file->leave_out_count)
-    return po_schema_refuse(yaml, "no rules, as a series in follow is solved as a whole",
+    return po_fields_refuse(yaml, "no rules, as a series in follow is solved as a whole",
                             "leave_out");
   if (kase->repeats > 1)
-    return po_schema_refuse(yaml, "1, as series in follow are not timed", "repeats");
+    return po_fields_refuse(yaml, "1, as series in follow are not timed", "repeats");
   for (unsigned i = 0; i < file->want_names_count; ++i)
     if (strcmp(file->want_names[i], "pull_off") != 0)
-      return po_schema_refuse(yaml, "pull_off alone, as follow continues only the pull-off",
+      return po_fields_refuse(yaml, "pull_off alone, as follow continues only the pull-off",
                               "want[%u]", i + 1);
   for (unsigned i = 0; i < file->checks_count; ++i) {
     const po_quantity quantity = file->checks[i].quantity;
     if (!po_quantity_is(quantity, PO_OF_PULL_OFF) && quantity != PO_SOLVED_SHARE)
-      return po_schema_refuse(yaml,
+      return po_fields_refuse(yaml,
                               "pull_off_force, pull_off_approach, contact_radius or solved_share, "
                               "as follow continues only the pull-off",
                               "checks[%u].quantity", i + 1);
@@ -319,14 +319,14 @@ static po_status parse_traced(const po_case_file *file, const po_yaml *yaml) {
   for (unsigned i = 0; i < file->checks_count; ++i) {
     const po_check *check = &file->checks[i];
     if (check->type == PO_REFERENCE_TRACED && !can_be_traced(file, check))
-      return po_schema_refuse(yaml,
+      return po_fields_refuse(yaml,
                               "traced only for a pull-off, in a case with `traced: {seed, count}`",
                               "checks[%u].reference", i + 1);
     checked = checked || check->type == PO_REFERENCE_TRACED;
   }
   if (!checked)
-    return po_schema_refuse(yaml, "a check against traced", "traced");
-  return file->traced && !file->follow ? po_schema_refuse(yaml, NULL, "traced") : PO_OK;
+    return po_fields_refuse(yaml, "a check against traced", "traced");
+  return file->traced && !file->follow ? po_fields_refuse(yaml, NULL, "traced") : PO_OK;
 }
 
 static po_status parse_series(po_case *kase, const po_yaml *yaml) {
@@ -357,12 +357,11 @@ po_status po_case_read(const char *path, const char *shown, po_case **result) {
     status = PO_NO_MEMORY;
   if (!status)
     status = po_file_read(path, &kase->source, &kase->source_size);
-  if (!status)
-    status = po_yaml_create(shown, kase->source, kase->source_size, &yaml);
   if (!status && !(kase->file = po_allocate(1, sizeof *kase->file)))
     status = PO_NO_MEMORY;
   if (!status)
-    status = po_fields_load(yaml, PO_CASE_FIELDS, kase->file);
+    status =
+        po_fields_read(shown, kase->source, kase->source_size, PO_CASE_FIELDS, kase->file, &yaml);
   if (!status)
     status = parse(kase, yaml);
   po_yaml_destroy(yaml);

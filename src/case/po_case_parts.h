@@ -9,12 +9,6 @@
 /* The fields of po_case_file: the schema of case files. */
 extern const po_field PO_CASE_FIELDS[];
 
-/* Calls po_yaml_refuse for the path that `format` and its arguments give.
- * Given: `expected`, the permitted values; NULL: those of the schema, e.g. "abs, rel or ulp" for
- * "checks[2].kind". In this case the path must be in the schema. */
-po_status po_schema_refuse(const po_yaml *yaml, const char *expected, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
 /* Checks the sections `sweep` and `sample`, if there are any, and fills them. Status: PO_BAD_INPUT;
  * the message states file, line, path, value and what was expected. */
 po_status po_case_sweep_parse(po_case *kase, const po_yaml *yaml);

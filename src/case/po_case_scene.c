@@ -24,13 +24,13 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
     if (!is_derived(key))
       continue;
     if (file->scene.values[key])
-      return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(key));
+      return po_fields_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(key));
     for (unsigned k = 0; k < file->sweep_count; ++k)
       if (po_sweep_varies(&file->sweep[k], key))
-        return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1,
+        return po_fields_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1,
                                 file->sweep[k].together ? "together" : "key");
     if (po_case_draws(file, key))
-      return po_schema_refuse(yaml, NOT_BOTH, "scene.physical");
+      return po_fields_refuse(yaml, NOT_BOTH, "scene.physical");
   }
   return PO_OK;
 }
@@ -131,13 +131,13 @@ static po_status check_pairs(const po_case_file *file, const po_yaml *yaml) {
   for (size_t i = 0; i < sizeof PAIRS / sizeof *PAIRS; ++i) {
     const po_key key = PAIRS[i].key, other = PAIRS[i].other;
     if (scene[other] && (scene[key] || po_case_varies(file, key)))
-      return po_schema_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(other));
+      return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(other));
     if (scene[key] && po_case_varies(file, other))
-      return po_schema_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(key));
+      return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(key));
     for (unsigned k = 0; k < file->sweep_count; ++k)
       for (unsigned n = 0; n < file->sweep[k].together_count; ++n)
         if (file->sweep[k].together[n].values[key] && file->sweep[k].together[n].values[other])
-          return po_schema_refuse(yaml, PAIRS[i].expected, "sweep[%u].together[%u].%s", k + 1,
+          return po_fields_refuse(yaml, PAIRS[i].expected, "sweep[%u].together[%u].%s", k + 1,
                                   n + 1, po_key_name(other));
   }
   return PO_OK;
@@ -184,7 +184,7 @@ static po_status parse_physical(po_case *kase, const po_yaml *yaml) {
     if (!is_given_by(words->physical, key) || is_absent(&request, key))
       continue;
     if (words->values[key])
-      return po_schema_refuse(yaml, "only this key, or that of scene.physical", "scene.%s",
+      return po_fields_refuse(yaml, "only this key, or that of scene.physical", "scene.%s",
                               po_key_name(key));
     po_key_print(&request, key, text);
     words->values[key] = po_copy_text(text);
@@ -215,7 +215,7 @@ static po_status check_settings(const po_sweep *sweep, unsigned number, const po
           (key == PO_KEY_RADIUS && (given[PO_KEY_PROFILE] || given[PO_KEY_PROFILE_FILE])) ||
           (key == PO_KEY_WAVELENGTH && !given[PO_KEY_AMPLITUDE]))
         continue;
-      return po_schema_refuse(yaml, po_key_expected(key), "sweep[%u].together[%u].%s", number,
+      return po_fields_refuse(yaml, po_key_expected(key), "sweep[%u].together[%u].%s", number,
                               i + 1, po_key_name(key));
     }
   }
@@ -226,7 +226,7 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
   po_request request = po_request_default();
   for (int key = 0; key < PO_KEY_END; ++key)
     if (file->scene.values[key] && !po_key_set(&request, key, file->scene.values[key]))
-      return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name(key));
+      return po_fields_refuse(yaml, NULL, "scene.%s", po_key_name(key));
   const bool panels = request.mesh.scheme == PO_PANEL && !po_case_varies(file, PO_KEY_SCHEME);
   const bool wavy = request.scene.amplitude > 0 || po_case_varies(file, PO_KEY_AMPLITUDE);
   const bool waves = file->scene.values[PO_KEY_WAVES] || po_case_varies(file, PO_KEY_WAVES);
@@ -242,7 +242,7 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
     char expected[128];
     snprintf(expected, sizeof expected, "%s, here, in the sweep or in the sample",
              po_key_expected(key));
-    return po_schema_refuse(yaml, expected, "scene.%s", po_key_name(key));
+    return po_fields_refuse(yaml, expected, "scene.%s", po_key_name(key));
   }
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->sweep_count; ++i)
@@ -292,12 +292,12 @@ po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
     if (!is_parameter_of_none(kase, key))
       continue;
     if (file->scene.values[key])
-      return po_schema_refuse(yaml, EXPECTED, "scene.%s", po_key_name(key));
+      return po_fields_refuse(yaml, EXPECTED, "scene.%s", po_key_name(key));
     for (unsigned i = 0; i < file->sweep_count; ++i)
       if (po_sweep_varies(&file->sweep[i], key))
-        return po_schema_refuse(yaml, EXPECTED, "sweep[%u]", i + 1);
+        return po_fields_refuse(yaml, EXPECTED, "sweep[%u]", i + 1);
     if (po_case_draws(file, key))
-      return po_schema_refuse(yaml, EXPECTED, "sample");
+      return po_fields_refuse(yaml, EXPECTED, "sample");
   }
   return PO_OK;
 }

@@ -1,5 +1,3 @@
-#include <stdarg.h>
-
 #include "po_case_parts.h"
 #include "po_field_table.h"
 
@@ -151,11 +149,3 @@ const po_field PO_CASE_FIELDS[] = {
     OPTIONAL_LIST("measure", po_case_file, measure, MEASURE, "a list of {quantity, reference}"),
     {0},
 };
-
-po_status po_schema_refuse(const po_yaml *yaml, const char *expected, const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  const po_status status = po_fields_refuse(yaml, PO_CASE_FIELDS, expected, format, arguments);
-  va_end(arguments);
-  return status;
-}

@@ -1,7 +1,6 @@
 #include "po_solver.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,35 +58,28 @@ static const po_field MANIFEST[] = {
     {0},
 };
 
-static po_status __attribute__((format(printf, 3, 4)))
-refuse(const po_yaml *yaml, const char *expected, const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  const po_status status = po_fields_refuse(yaml, MANIFEST, expected, format, arguments);
-  va_end(arguments);
-  return status;
-}
-
 /* Parses an item of can.scene. */
 static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned number) {
   const po_axis *axis = &item->axis;
   const int key = po_key_of_name(axis->key);
   if (key < 0 || !po_key_is_of_scene((po_key)key))
-    return refuse(yaml, NULL, "can.scene[%u].key", number);
+    return po_fields_refuse(yaml, NULL, "can.scene[%u].key", number);
   for (unsigned v = 0; v < axis->values_count; ++v) {
     po_request request = po_input_default();
     if (!po_key_set(&request, (po_key)key, axis->values[v]))
-      return refuse(yaml, po_key_expected((po_key)key), "can.scene[%u].values[%u]", number, v + 1);
+      return po_fields_refuse(yaml, po_key_expected((po_key)key), "can.scene[%u].values[%u]",
+                              number, v + 1);
   }
   item->from = -INFINITY;
   item->to = INFINITY;
   if (axis->from_text && !po_number_parse(axis->from_text, &item->from))
-    return refuse(yaml, NULL, "can.scene[%u].from", number);
+    return po_fields_refuse(yaml, NULL, "can.scene[%u].from", number);
   if (axis->to_text && !po_number_parse(axis->to_text, &item->to))
-    return refuse(yaml, NULL, "can.scene[%u].to", number);
+    return po_fields_refuse(yaml, NULL, "can.scene[%u].to", number);
   if ((axis->from_text || axis->to_text) && (axis->values || !po_key_is_number((po_key)key)))
-    return refuse(yaml, "either values, or from and to for a number", "can.scene[%u]", number);
-  return item->from > item->to ? refuse(yaml, NULL, "can.scene[%u].to", number) : PO_OK;
+    return po_fields_refuse(yaml, "either values, or from and to for a number", "can.scene[%u]",
+                            number);
+  return item->from > item->to ? po_fields_refuse(yaml, NULL, "can.scene[%u].to", number) : PO_OK;
 }
 
 /* Reports whether a quantity describes parts of the branch on which equilibria are unstable. */
@@ -107,13 +99,14 @@ static po_status parse_quantities(const po_yaml *yaml, po_solver *solver) {
   for (unsigned i = 0; i < can->quantities_count; ++i) {
     const int quantity = po_quantity_of_name(can->quantities[i]);
     if (quantity == PO_QUANTITY_COUNT || !has_answer((po_quantity)quantity))
-      return refuse(yaml, NAMES, "can.quantities[%u]", i + 1);
+      return po_fields_refuse(yaml, NAMES, "can.quantities[%u]", i + 1);
     if (!solver->unstable && needs_unstable((po_quantity)quantity))
-      return refuse(yaml,
-                    "a quantity of stable equilibria, because can.unstable is false: "
-                    "pull_off_force, pull_off_approach, contact_radius, hysteresis_force, "
-                    "hysteresis_approach, hysteresis_loss or jumps",
-                    "can.quantities[%u]", i + 1);
+      return po_fields_refuse(
+          yaml,
+          "a quantity of stable equilibria, because can.unstable is false: "
+          "pull_off_force, pull_off_approach, contact_radius, hysteresis_force, "
+          "hysteresis_approach, hysteresis_loss or jumps",
+          "can.quantities[%u]", i + 1);
     solver->quantities |= 1U << quantity;
   }
   return PO_OK;
@@ -131,7 +124,7 @@ static po_status parse_numbers(const po_yaml *yaml, po_solver *solver) {
     double number = items[i].absent;
     const bool good = !items[i].text || po_number_parse(items[i].text, &number);
     if (!good || number < 0 || (number == 0 && items[i].absent > 0))
-      return refuse(yaml, NULL, "%s", items[i].path);
+      return po_fields_refuse(yaml, NULL, "%s", items[i].path);
     *items[i].number = number;
   }
   return PO_OK;
@@ -160,19 +153,19 @@ static po_status parse(const po_yaml *yaml, const char *knob, po_solver *solver)
   const po_solver_file *file = solver->file;
   po_status status = PO_OK;
   if (strcmp(file->protocol, PO_SOLVER_PROTOCOL) != 0)
-    return refuse(yaml, NULL, "protocol");
+    return po_fields_refuse(yaml, NULL, "protocol");
   if (!po_case_is_name(file->name) || strcmp(file->name, "pulloff") == 0)
-    return refuse(yaml, NULL, "solver");
+    return po_fields_refuse(yaml, NULL, "solver");
   solver->unstable = strcmp(file->can.unstable, "true") == 0;
   if (!solver->unstable && strcmp(file->can.unstable, "false") != 0)
-    return refuse(yaml, NULL, "can.unstable");
+    return po_fields_refuse(yaml, NULL, "can.unstable");
   for (unsigned i = 0; !status && i < file->can.scene_count; ++i)
     status = parse_key(yaml, &file->can.scene[i], i + 1);
   if (!status)
     status = parse_quantities(yaml, solver);
   for (unsigned i = 0; !status && file->knob && i < file->knob->values_count; ++i)
     if (strchr(file->knob->values[i], '/'))
-      status = refuse(yaml, NULL, "knob.values");
+      status = po_fields_refuse(yaml, NULL, "knob.values");
   if (!status)
     status = parse_numbers(yaml, solver);
   return status ? status : choose_knob(solver, knob);
@@ -270,9 +263,7 @@ po_status po_solver_read(const char *path, const char *knob, po_solver **result)
   if (!status)
     status = find_folder(path, &solver->here);
   if (!status)
-    status = po_yaml_create(path, bytes, size, &yaml);
-  if (!status)
-    status = po_fields_load(yaml, MANIFEST, solver->file);
+    status = po_fields_read(path, bytes, size, MANIFEST, solver->file, &yaml);
   if (!status)
     status = parse(yaml, knob, solver);
   if (!status)

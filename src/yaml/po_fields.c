@@ -1,5 +1,6 @@
 #include "po_fields.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -159,9 +160,14 @@ static po_status load_mapping(place *at, const yaml_node_t *node, const po_field
   return status;
 }
 
-po_status po_fields_load(const po_yaml *yaml, const po_field *fields, void *structure) {
-  place at = {.yaml = yaml};
-  return load_mapping(&at, yaml_document_get_root_node(yaml->document), fields, structure);
+po_status po_fields_read(const char *name, const char *bytes, size_t size, const po_field *fields,
+                         void *structure, po_yaml **yaml) {
+  const po_status status = po_yaml_create(name, bytes, size, yaml);
+  if (status)
+    return status;
+  (*yaml)->fields = fields;
+  place at = {.yaml = *yaml};
+  return load_mapping(&at, yaml_document_get_root_node((*yaml)->document), fields, structure);
 }
 
 void po_fields_clear(const po_field *fields, void *structure) {
@@ -205,9 +211,11 @@ static const po_field *find(const po_field *fields, const char *path) {
   return field;
 }
 
-po_status po_fields_refuse(const po_yaml *yaml, const po_field *fields, const char *expected,
-                           const char *format, va_list arguments) {
+po_status po_fields_refuse(const po_yaml *yaml, const char *expected, const char *format, ...) {
   char path[200];
+  va_list arguments;
+  va_start(arguments, format);
   vsnprintf(path, sizeof path, format, arguments);
-  return po_yaml_refuse(yaml, path, expected ? expected : expected_of(find(fields, path)));
+  va_end(arguments);
+  return po_yaml_refuse(yaml, path, expected ? expected : expected_of(find(yaml->fields, path)));
 }

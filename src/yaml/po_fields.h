@@ -2,7 +2,6 @@
 #ifndef PO_FIELDS_H
 #define PO_FIELDS_H
 
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -27,17 +26,18 @@ typedef struct po_field {
   const struct po_field *fields; /* of the struct; NULL: the member is no struct */
 } po_field;
 
-/* Fills a struct from the root of a tree.
- * Given: a struct whose bytes are zero. Whatever the status, po_fields_clear must free it.
- * Status: PO_BAD_INPUT (a value of the wrong kind, an unknown key, a missing key); the message
- * states file, line, path, value and what was expected. PO_NO_MEMORY. */
-po_status po_fields_load(const po_yaml *yaml, const po_field *fields, void *structure);
+/* Parses `size` bytes, as po_yaml_create, and fills a struct from the root of the tree.
+ * Given: a struct whose bytes are zero. Whatever the status, po_fields_clear must free it, and
+ * po_yaml_destroy the tree. Status: PO_BAD_INPUT (that of po_yaml_create, a value of the wrong
+ * kind, an unknown key, a missing key); the message states file, line, path, value and what was
+ * expected. PO_NO_MEMORY. */
+po_status po_fields_read(const char *name, const char *bytes, size_t size, const po_field *fields,
+                         void *structure, po_yaml **yaml);
 void po_fields_clear(const po_field *fields, void *structure);
 
 /* Calls po_yaml_refuse for the path that `format` and its arguments give, such as "checks[2].kind".
  * Given: `expected`, the permitted values; NULL: those of the field at this path, which exists. */
-po_status po_fields_refuse(const po_yaml *yaml, const po_field *fields, const char *expected,
-                           const char *format, va_list arguments)
-    __attribute__((format(printf, 4, 0)));
+po_status po_fields_refuse(const po_yaml *yaml, const char *expected, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 #endif

@@ -11,8 +11,9 @@
 #include "po_status.h"
 
 typedef struct {
-  char *name;                /* of the file in messages */
-  yaml_document_t *document; /* its root is a mapping, and all keys are scalars */
+  char *name;                    /* of the file in messages */
+  yaml_document_t *document;     /* its root is a mapping, and all keys are scalars */
+  const struct po_field *fields; /* those of the root, see po_fields.h */
 } po_yaml;
 
 /* Parses `size` bytes.
