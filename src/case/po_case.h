@@ -52,6 +52,10 @@ typedef struct {
   char *count_text;
 } po_traced_words;
 
+/* A set of keys and groups: the bit 1 << key of each. */
+typedef uint64_t po_keys;
+bool po_keys_have(po_keys keys, po_key key);
+
 /* One scene. */
 typedef struct {
   char id[24]; /* "0", "1"...: in the order of the sample, then of the sweep */
@@ -80,7 +84,8 @@ typedef struct {
   po_axis axis;             /* its key is NULL if the item is a list of settings */
   po_scene_words *together; /* the settings; NULL if the item is a key and its values */
   unsigned together_count;
-  uint64_t named; /* bit set of the keys and groups in the item; filled by po_case_sweep_check */
+  po_keys named;  /* the keys and groups in the item; filled by po_case_sweep_parse */
+  po_keys varied; /* these, and the keys that the groups set */
 } po_sweep;
 
 /* A rule that excludes combinations of a sweep, with its reason. */
@@ -118,6 +123,8 @@ typedef struct {
   unsigned lines_count;
   po_check *measure; /* measurements: without tolerance, kind and reason */
   unsigned measure_count;
+  /* What sweep and sample vary, directly or by a group, and both; filled by po_case_sweep_parse. */
+  po_keys swept, drawn, varied;
 } po_case_file;
 
 typedef struct {
@@ -148,9 +155,6 @@ bool po_case_is_name(const char *text);
 
 /* Returned: check number `index`, after the checks the measurements, and after these NULL. */
 const po_check *po_case_check(const po_case_file *file, unsigned index);
-
-/* Reports whether an item of a sweep contains a key or a group. */
-bool po_sweep_names(const po_sweep *sweep, po_key key);
 
 /* Returned: the argument that selects the case on a command line, which is its name, or the path of
  * a file outside the folder of cases as it was given; po_case_word quotes it for a shell, so that a

@@ -1,5 +1,5 @@
-/* Axes: their values, as written or computed from a range, the evaluation of conditions, and which
- * keys the axes of a case vary. */
+/* Axes: their values, as written or computed from a range, and the
+ * evaluation of conditions. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -197,37 +197,8 @@ bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request
   return true;
 }
 
-_Static_assert(PO_KEY_END <= 64, "the keys of a sweep are bits of po_sweep.named");
+_Static_assert(PO_KEY_END <= 64, "the keys of a case are bits of po_keys");
 
-bool po_sweep_names(const po_sweep *sweep, po_key key) {
-  return sweep->named >> key & 1U;
-}
-
-bool po_sweep_varies(const po_sweep *sweep, po_key key) {
-  if (po_sweep_names(sweep, key))
-    return true;
-  for (int other = 0; other < PO_KEY_END; ++other)
-    if (po_key_target(other) == key && po_sweep_names(sweep, other))
-      return true;
-  return false;
-}
-
-/* Whether a key is drawn, directly or by a group. */
-static bool draws(const po_draw *draw, po_key key) {
-  const int drawn = po_key_of_name(draw->key);
-  return drawn == key || (drawn >= 0 && po_key_target(drawn) == key);
-}
-
-bool po_case_draws(const po_case_file *file, po_key key) {
-  for (unsigned i = 0; file->sample && i < file->sample->keys_count; ++i)
-    if (draws(&file->sample->keys[i], key))
-      return true;
-  return false;
-}
-
-bool po_case_varies(const po_case_file *file, po_key key) {
-  for (unsigned i = 0; i < file->sweep_count; ++i)
-    if (po_sweep_varies(&file->sweep[i], key))
-      return true;
-  return po_case_draws(file, key);
+bool po_keys_have(po_keys keys, po_key key) {
+  return keys >> key & 1U;
 }

@@ -31,12 +31,18 @@ static const char *value_of_sweep(const po_sweep *sweep, unsigned index, po_key 
   return po_key_of_name(sweep->axis.key) == key ? sweep->axis.values[index] : NULL;
 }
 
+/* A key, and that which it sets if it is a group. */
+static po_keys varied_by(po_key key) {
+  return UINT64_C(1) << key | UINT64_C(1) << po_key_target(key);
+}
+
 static void find_names(po_sweep *sweep) {
-  sweep->named = 0;
   for (unsigned i = 0; i < count_of_sweep(sweep); ++i)
     for (int key = 0; key < PO_KEY_END; ++key)
-      if (value_of_sweep(sweep, i, key))
+      if (value_of_sweep(sweep, i, key)) {
         sweep->named |= UINT64_C(1) << key;
+        sweep->varied |= varied_by(key);
+      }
 }
 
 static int by_settings(const void *a, const void *b, void *unused) {
@@ -93,7 +99,7 @@ static bool has_waviness(const po_sweep *sweep) {
   return key == PO_KEY_ALPHA || key == PO_KEY_AMPLITUDE_RATIO;
 }
 
-static po_status check_sweep(const po_case_file *file, const po_yaml *yaml) {
+static po_status check_sweep(po_case_file *file, const po_yaml *yaml) {
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     po_sweep *sweep = &file->sweep[i];
     char where[PO_CASE_WHERE_LENGTH];
@@ -106,16 +112,13 @@ static po_status check_sweep(const po_case_file *file, const po_yaml *yaml) {
       if (has_waviness(sweep) && has_waviness(&file->sweep[k]))
         return po_fields_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
-      bool twice = false;
-      if (!po_sweep_varies(sweep, key))
-        continue;
-      for (unsigned k = 0; k < i; ++k)
-        twice = twice || po_sweep_varies(&file->sweep[k], key);
-      if (twice || file->scene.values[key])
+      const bool twice = po_keys_have(file->swept, key);
+      if (po_keys_have(sweep->varied, key) && (twice || file->scene.values[key]))
         return po_fields_refuse(
             yaml, twice ? "each key swept once" : "a key that the scene does not give", "%s.%s",
             where, sweep->together ? "together" : "key");
     }
+    file->swept |= sweep->varied;
   }
   return PO_OK;
 }
@@ -159,19 +162,12 @@ static void add_setting(const po_case *kase, po_point *point, const po_sweep *sw
 
 static const char ROOT_RADIUS[] = "root_radius";
 
-static bool is_swept(const po_case_file *file, po_key key) {
-  for (unsigned i = 0; i < file->sweep_count; ++i)
-    if (po_sweep_varies(&file->sweep[i], key))
-      return true;
-  return false;
-}
-
 /* Reports whether the value of a key is a number, and neither a name nor a count. */
 static bool is_quantity(po_key key) {
   return key != PO_KEY_NODES && po_key_is_number(key);
 }
 
-static po_status parse_key(const po_case_file *file, unsigned index, const char *where,
+static po_status parse_key(po_case_file *file, unsigned index, const char *where,
                            const po_yaml *yaml) {
   po_draw *draw = &file->sample->keys[index];
   const int key = po_key_of_name(draw->key);
@@ -181,9 +177,10 @@ static po_status parse_key(const po_case_file *file, unsigned index, const char 
   for (unsigned k = 0; k < index; ++k)
     if (strcmp(file->sample->keys[k].key, draw->key) == 0)
       return po_fields_refuse(yaml, "each key drawn once", "%s.key", where);
-  if (file->scene.values[key] || is_swept(file, key))
+  if (file->scene.values[key] || po_keys_have(file->swept, key))
     return po_fields_refuse(yaml, "a key that neither scene nor sweep gives", "%s.key", where);
   draw->drawn = key;
+  file->drawn |= varied_by(key);
   return PO_OK;
 }
 
@@ -210,7 +207,8 @@ static po_status parse_unit(const po_case_file *file, unsigned index, const char
     return PO_OK;
   draw->by_root = strcmp(draw->times, ROOT_RADIUS) == 0;
   const int unit = draw->by_root ? PO_KEY_RADIUS : po_key_of_name(draw->times);
-  bool known = unit >= 0 && is_quantity(unit) && (file->scene.values[unit] || is_swept(file, unit));
+  bool known = unit >= 0 && is_quantity(unit) &&
+               (file->scene.values[unit] || po_keys_have(file->swept, unit));
   for (unsigned k = 0; k < index; ++k)
     known = known || file->sample->keys[k].drawn == unit;
   if (!known)
@@ -219,7 +217,7 @@ static po_status parse_unit(const po_case_file *file, unsigned index, const char
   return PO_OK;
 }
 
-static po_status parse_sample(const po_case_file *file, const po_yaml *yaml) {
+static po_status parse_sample(po_case_file *file, const po_yaml *yaml) {
   po_sample_words *sample = file->sample;
   if (!sample)
     return PO_OK;
@@ -243,8 +241,12 @@ static po_status parse_sample(const po_case_file *file, const po_yaml *yaml) {
 }
 
 po_status po_case_sweep_parse(po_case *kase, const po_yaml *yaml) {
-  const po_status status = check_sweep(kase->file, yaml);
-  return status ? status : parse_sample(kase->file, yaml);
+  po_case_file *file = kase->file;
+  po_status status = check_sweep(file, yaml);
+  if (!status)
+    status = parse_sample(file, yaml);
+  file->varied = file->swept | file->drawn;
+  return status;
 }
 
 static double unit_of(const po_draw *draw, const po_request *request) {

@@ -117,7 +117,7 @@ static po_status check_rules(const po_case_file *file, const po_check *check, un
       {share && relative, "kind", "abs, as a share is absolute"},
       {share && check->tolerance >= 1, "tolerance", "the share that may fail, below 1"},
       {is_blank(check->because), "because", NULL},
-      {pin && po_case_varies(file, PO_KEY_TIME_LIMIT), "reference",
+      {pin && po_keys_have(file->varied, PO_KEY_TIME_LIMIT), "reference",
        "a reference other than pin, as pins do not depend on time_limit and it varies"},
       {pin && curve, "quantity", "folds and extrema, as a curve itself cannot be pinned"},
       {!pin && check->quantity == PO_WORK, "reference", "pin, as work has no other reference"},

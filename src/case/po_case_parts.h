@@ -17,18 +17,12 @@ po_status po_case_sweep_parse(po_case *kase, const po_yaml *yaml);
  * each form is given. Status: as above. */
 po_status po_case_lines_parse(po_case *kase, const po_yaml *yaml);
 
-/* Reports whether the section `sample` draws a key. */
-bool po_case_draws(const po_case_file *file, po_key key);
-
 /* Size of a buffer for the path of a value in a case, e.g. checks[2].when[1]. */
 enum { PO_CASE_WHERE_LENGTH = 64 };
 
 /* Computes the values of an axis that gives from, to and count instead of values. Status: as above.
  */
 po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
-
-/* Reports whether an item of a sweep varies a key, either directly or by a group. */
-bool po_sweep_varies(const po_sweep *sweep, po_key key);
 
 /* What is done with an axis of a case; `where` is its path, e.g. "checks[1].when[2]". */
 typedef po_status po_case_axis_act(const po_case *kase, po_axis *axis, const char *where,
@@ -46,9 +40,6 @@ po_status po_case_each_axis(const po_case *kase, const po_yaml *yaml, po_case_ax
  * scene that `fits` accepts (NULL: all keys). Status: as above. */
 po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)(po_key key),
                              const char *where);
-
-/* Reports whether the sweep or the sample varies a key. */
-bool po_case_varies(const po_case_file *file, po_key key);
 
 /* Converts the block `physical`, if there is one, to the dimensionless scene and stores its units.
  * Checks the scene, that no two keys set the same, as tabor and coupling, and that scene, sweep and

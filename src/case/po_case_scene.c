@@ -26,10 +26,10 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
     if (file->scene.values[key])
       return po_fields_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(key));
     for (unsigned k = 0; k < file->sweep_count; ++k)
-      if (po_sweep_varies(&file->sweep[k], key))
+      if (po_keys_have(file->sweep[k].varied, key))
         return po_fields_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1,
                                 file->sweep[k].together ? "together" : "key");
-    if (po_case_draws(file, key))
+    if (po_keys_have(file->drawn, key))
       return po_fields_refuse(yaml, NOT_BOTH, "scene.physical");
   }
   return PO_OK;
@@ -130,9 +130,9 @@ static po_status check_pairs(const po_case_file *file, const po_yaml *yaml) {
   const char *const *scene = (const char *const *)file->scene.values;
   for (size_t i = 0; i < sizeof PAIRS / sizeof *PAIRS; ++i) {
     const po_key key = PAIRS[i].key, other = PAIRS[i].other;
-    if (scene[other] && (scene[key] || po_case_varies(file, key)))
+    if (scene[other] && (scene[key] || po_keys_have(file->varied, key)))
       return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(other));
-    if (scene[key] && po_case_varies(file, other))
+    if (scene[key] && po_keys_have(file->varied, other))
       return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(key));
     for (unsigned k = 0; k < file->sweep_count; ++k)
       for (unsigned n = 0; n < file->sweep[k].together_count; ++n)
@@ -210,7 +210,7 @@ static po_status check_settings(const po_sweep *sweep, unsigned number, const po
     const bool panels = given[PO_KEY_SCHEME] && strcmp(given[PO_KEY_SCHEME], "panel") == 0;
     for (size_t k = 0; k < NEEDED_COUNT; ++k) {
       const po_key key = NEEDED[k];
-      if (given[key] || !po_sweep_varies(sweep, key) || (key == PO_KEY_NODES && panels) ||
+      if (given[key] || !po_keys_have(sweep->varied, key) || (key == PO_KEY_NODES && panels) ||
           (key == PO_KEY_TABOR && given[PO_KEY_COUPLING]) ||
           (key == PO_KEY_RADIUS && (given[PO_KEY_PROFILE] || given[PO_KEY_PROFILE_FILE])) ||
           (key == PO_KEY_WAVELENGTH && !given[PO_KEY_AMPLITUDE]))
@@ -227,14 +227,14 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
   for (int key = 0; key < PO_KEY_END; ++key)
     if (file->scene.values[key] && !po_key_set(&request, key, file->scene.values[key]))
       return po_fields_refuse(yaml, NULL, "scene.%s", po_key_name(key));
-  const bool panels = request.mesh.scheme == PO_PANEL && !po_case_varies(file, PO_KEY_SCHEME);
-  const bool wavy = request.scene.amplitude > 0 || po_case_varies(file, PO_KEY_AMPLITUDE);
-  const bool waves = file->scene.values[PO_KEY_WAVES] || po_case_varies(file, PO_KEY_WAVES);
+  const bool panels = request.mesh.scheme == PO_PANEL && !po_keys_have(file->varied, PO_KEY_SCHEME);
+  const bool wavy = request.scene.amplitude > 0 || po_keys_have(file->varied, PO_KEY_AMPLITUDE);
+  const bool waves = file->scene.values[PO_KEY_WAVES] || po_keys_have(file->varied, PO_KEY_WAVES);
   const bool sphere =
-      po_profile_is_sphere(&request.scene.profile) && !po_case_varies(file, PO_KEY_PROFILE);
+      po_profile_is_sphere(&request.scene.profile) && !po_keys_have(file->varied, PO_KEY_PROFILE);
   for (size_t i = 0; i < NEEDED_COUNT; ++i) {
     const po_key key = NEEDED[i];
-    if (file->scene.values[key] || po_case_varies(file, key) ||
+    if (file->scene.values[key] || po_keys_have(file->varied, key) ||
         (key == PO_KEY_WAVELENGTH && (waves || !wavy)) || (key == PO_KEY_NODES && panels) ||
         (key == PO_KEY_TABOR && file->scene.values[PO_KEY_COUPLING]) ||
         (key == PO_KEY_RADIUS && !sphere))
@@ -294,9 +294,9 @@ po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
     if (file->scene.values[key])
       return po_fields_refuse(yaml, EXPECTED, "scene.%s", po_key_name(key));
     for (unsigned i = 0; i < file->sweep_count; ++i)
-      if (po_sweep_varies(&file->sweep[i], key))
+      if (po_keys_have(file->sweep[i].varied, key))
         return po_fields_refuse(yaml, EXPECTED, "sweep[%u]", i + 1);
-    if (po_case_draws(file, key))
+    if (po_keys_have(file->drawn, key))
       return po_fields_refuse(yaml, EXPECTED, "sample");
   }
   return PO_OK;

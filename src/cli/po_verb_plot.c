@@ -77,7 +77,7 @@ static size_t count_values(const po_case *kase, po_key key) {
 static size_t varied_values(const po_case *kase, int key) {
   bool swept = false;
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
-    swept = swept || po_sweep_names(&kase->file->sweep[i], (po_key)key);
+    swept = swept || po_keys_have(kase->file->sweep[i].named, key);
   return swept && po_key_is_continuous(key) ? count_values(kase, (po_key)key) : 0;
 }
 
@@ -89,7 +89,7 @@ static bool is_map(const po_case *kase, po_key keys[2]) {
   for (unsigned i = kase->file->sweep_count; i-- > 0;) {
     size_t of_item = 0;
     for (int key = 0; key < PO_KEY_END; ++key) {
-      if (!po_sweep_names(&kase->file->sweep[i], (po_key)key))
+      if (!po_keys_have(kase->file->sweep[i].named, key))
         continue;
       if (++of_item > 1 || count == 2 || varied_values(kase, key) < LEAST_VALUES)
         return false;

@@ -140,7 +140,7 @@ static json_t *sweep(const po_case *kase, size_t point) {
   json_t *input = po_json_input(request);
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
     for (int key = 0; key < PO_KEY_END; ++key)
-      if (po_sweep_names(&kase->file->sweep[i], (po_key)key))
+      if (po_keys_have(kase->file->sweep[i].named, key))
         po_json_set(&object, po_key_name((po_key)key), swept_value(request, input, (po_key)key));
   json_decref(input);
   for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
