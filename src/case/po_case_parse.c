@@ -25,7 +25,7 @@ static unsigned want_of(const char *name) {
   static const char *const OF_BRANCH[] = {"pull_off", "folds", "extrema"};
   const unsigned count = PO_WANT_COUNT + sizeof OF_BRANCH / sizeof *OF_BRANCH;
   for (unsigned k = 0; k < count; ++k)
-    if (strcmp(name, k < PO_WANT_COUNT ? po_want_name((int)k) : OF_BRANCH[k - PO_WANT_COUNT]) == 0)
+    if (strcmp(name, k < PO_WANT_COUNT ? PO_WANTS[k] : OF_BRANCH[k - PO_WANT_COUNT]) == 0)
       return 1U << k;
   return 0;
 }

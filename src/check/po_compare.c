@@ -270,7 +270,7 @@ static void describe_difference(const point_lists *l, char *note, size_t size) {
   }
   if (named)
     snprintf(note, size, "%s %s near approach %.4g, load %.4g (%zu found, reference %zu)",
-             missing ? "missing" : "spurious", po_special_kind_name(named->kind), named->approach,
+             missing ? "missing" : "spurious", PO_SPECIAL_KINDS[named->kind], named->approach,
              named->load, l->ours.count, l->theirs.count);
 }
 
@@ -281,7 +281,7 @@ static po_status add_pairs(const po_compare_input *c, const point_lists *l) {
     for (int load = 0; load < 2; ++load) {
       const po_special_point *ours = &l->ours.points[i], *theirs = &l->theirs.points[i];
       char suffix[64];
-      snprintf(suffix, sizeof suffix, "%s-%zu/%s", po_special_kind_name(ours->kind), i + 1,
+      snprintf(suffix, sizeof suffix, "%s-%zu/%s", PO_SPECIAL_KINDS[ours->kind], i + 1,
                load ? "load" : "approach");
       const po_reference_number expected =
           load ? (po_reference_number){theirs->load, theirs->load_error}

@@ -100,7 +100,7 @@ po_plot_picture po_plot_of_series(const po_printed_series *series, bool folds) {
   for (size_t k = 0; folds && k < series->results[0].fold_count; ++k)
     add_curve(&picture,
               po_plot_add_series(&picture, panel, PO_PLOT_CURVE,
-                                 po_special_kind_name(series->results[0].folds[k].kind)),
+                                 PO_SPECIAL_KINDS[series->results[0].folds[k].kind]),
               series, &k);
   if (!folds)
     add_curve(&picture, po_plot_add_series(&picture, panel, PO_PLOT_CURVE, ""), series, NULL);

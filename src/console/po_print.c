@@ -51,7 +51,7 @@ po_status po_print_json(const po_request *request, const po_given *given, const 
 static void print_special_points(const po_special_point *list, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     char of_approach[16], of_load[16];
-    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %14d", po_special_kind_name(list[i].kind),
+    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %14d", PO_SPECIAL_KINDS[list[i].kind],
            list[i].approach, po_print_error(list[i].approach_error, of_approach), list[i].load,
            po_print_error(list[i].load_error, of_load), list[i].contact_radius,
            list[i].unstable_modes);

@@ -74,7 +74,7 @@ void po_print_physical_input(const po_given *given) {
 static void print_special_points(double length, double force, const po_special_point *list,
                                  size_t count) {
   for (size_t i = 0; i < count; ++i)
-    printf("%-9s %16.10g %16.10g %17.6g\n", po_special_kind_name(list[i].kind),
+    printf("%-9s %16.10g %16.10g %17.6g\n", PO_SPECIAL_KINDS[list[i].kind],
            list[i].approach * length, list[i].load * force, list[i].contact_radius * length);
 }
 

@@ -104,7 +104,7 @@ static void print_fold(const po_printed_series *series, size_t index) {
     const po_special_point *fold = &series->results[k].folds[index];
     const po_units unit = printed_units(series, k);
     there = !isnan(fold->approach);
-    printf("%-9s %15g ", po_special_kind_name(fold->kind), series->values[k]);
+    printf("%-9s %15g ", PO_SPECIAL_KINDS[fold->kind], series->values[k]);
     if (there)
       printf(numbers, fold->approach * unit.length, fold->approach_error * unit.length,
              fold->load * unit.force, fold->load_error * unit.force,

@@ -14,7 +14,7 @@ static const po_special_point *special(const po_result *result, size_t index) {
 
 static void name(const po_result *result, size_t index, char words[32]) {
   const size_t number = index < result->fold_count ? index : index - result->fold_count;
-  snprintf(words, 32, "%s-%zu", po_special_kind_name(special(result, index)->kind), number + 1);
+  snprintf(words, 32, "%s-%zu", PO_SPECIAL_KINDS[special(result, index)->kind], number + 1);
 }
 
 /* Returned: the arclength of the nearest point of the curve; NAN without a curve. */

@@ -237,7 +237,7 @@ static po_status check_idle(po_given *given, const po_request *request) {
     if (po_key_is_of_other_scheme(request, key))
       return refuse(given, key, "it with the scheme %s, not %s",
                     key == PO_KEY_TOLERANCE ? "panel" : "ring or triangle",
-                    po_scheme_name(request->mesh.scheme));
+                    PO_SCHEMES[request->mesh.scheme]);
     if (!isnan(po_key_number(request, key)))
       continue;
     if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)

@@ -146,8 +146,11 @@ static bool set_name(po_request *request, po_key key, const char *text) {
     return with_radius(request, po_profile_set_file(&request->scene.profile, text) == PO_OK);
   if (key == PO_KEY_WAVES)
     return po_scene_set_waves(&request->scene, text);
-  const int found = key == PO_KEY_SCHEME ? po_scheme_of_name(text) : po_grading_of_name(text);
-  if (found < 0)
+  const char *const *names = key == PO_KEY_SCHEME ? PO_SCHEMES : PO_GRADINGS;
+  int found = 0;
+  while (names[found] && strcmp(names[found], text) != 0)
+    ++found;
+  if (!names[found])
     return false;
   if (key == PO_KEY_SCHEME)
     request->mesh.scheme = (po_scheme)found;

@@ -31,9 +31,9 @@ void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_L
   else if (key == PO_KEY_PROFILE_FILE)
     name = po_profile_shown(&scene->profile);
   else if (key == PO_KEY_SCHEME)
-    name = po_scheme_name(request->mesh.scheme);
+    name = PO_SCHEMES[request->mesh.scheme];
   else if (key == PO_KEY_GRADING)
-    name = po_grading_name(request->mesh.grading);
+    name = PO_GRADINGS[request->mesh.grading];
   if (name)
     snprintf(text, PO_KEY_TEXT_LENGTH, "%s", name);
   else if (key == PO_KEY_WAVES)
@@ -137,7 +137,7 @@ static void describe(const po_request *request, bool identity, po_text *command)
   const char *before = " --want ";
   for (int k = 0; k < PO_WANT_COUNT; ++k)
     if (request->want & (1u << k)) {
-      po_text_add(command, "%s%s", before, po_want_name(k));
+      po_text_add(command, "%s%s", before, PO_WANTS[k]);
       before = ",";
     }
 }

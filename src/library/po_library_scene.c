@@ -191,8 +191,8 @@ static po_status get(const pulloff_scene *scene, int key, char *text, size_t siz
     *text = '\0';
   for (int k = 0; k < PO_WANT_COUNT; ++k)
     if (request.want & (1u << k) && length < size)
-      length += (size_t)snprintf(text + length, size - length, "%s%s", length ? "," : "",
-                                 po_want_name(k));
+      length +=
+          (size_t)snprintf(text + length, size - length, "%s%s", length ? "," : "", PO_WANTS[k]);
   return PO_OK;
 }
 

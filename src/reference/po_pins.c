@@ -32,7 +32,7 @@ void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TE
 void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size_t index, bool load,
                                 char name[PO_PIN_NAME_LENGTH]) {
   snprintf(name, PO_PIN_NAME_LENGTH, "%s/%s-%zu/%s", po_quantity_of(quantity)->name,
-           po_special_kind_name(kind), index + 1, load ? "load" : "approach");
+           PO_SPECIAL_KINDS[kind], index + 1, load ? "load" : "approach");
 }
 
 /* Returned: FOLDER/pins/NAME + `ending`, or FOLDER/pins/SOLVER/NAME + `ending`, for a case file in

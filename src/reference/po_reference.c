@@ -240,7 +240,7 @@ static po_status read_kind(const po_csv *table, size_t row, po_special_kind *kin
                    table->column_line);
   const char *text = po_csv_cell(table, row, (size_t)column);
   for (int k = PO_JUMP_IN; k <= PO_MAXIMUM; ++k)
-    if (strcmp(text, po_special_kind_name((po_special_kind)k)) == 0) {
+    if (strcmp(text, PO_SPECIAL_KINDS[(po_special_kind)k]) == 0) {
       *kind = (po_special_kind)k;
       return PO_OK;
     }

@@ -14,11 +14,8 @@ po_request po_request_default(void) {
                       .time_limit = NAN};
 }
 
-const char *po_want_name(int k) {
-  static const char *const NAMES[PO_WANT_COUNT] = {"curve",       "profile", "hysteresis",
-                                                   "diagnostics", "preload", "theories"};
-  return NAMES[k];
-}
+const char *const PO_WANTS[] = {"curve",       "profile", "hysteresis",
+                                "diagnostics", "preload", "theories"};
 
 bool po_want_read(const char *list, unsigned *want) {
   unsigned found = 0;
@@ -26,7 +23,7 @@ bool po_want_read(const char *list, unsigned *want) {
     const size_t length = strcspn(item, ",");
     int k = 0;
     while (k < PO_WANT_COUNT &&
-           (strlen(po_want_name(k)) != length || strncmp(item, po_want_name(k), length) != 0))
+           (strlen(PO_WANTS[k]) != length || strncmp(item, PO_WANTS[k], length) != 0))
       ++k;
     if (k == PO_WANT_COUNT)
       return false;

@@ -92,9 +92,7 @@ typedef struct po_request {
 
 enum { PO_WANT_COUNT = 6 };
 
-/* "curve", "profile", "hysteresis", "diagnostics", "preload", "theories": the name of want 1 << k.
- */
-const char *po_want_name(int k);
+extern const char *const PO_WANTS[PO_WANT_COUNT]; /* the name of want 1 << k */
 
 /* Adds the results that a list names, with commas between, to *want. Returned: false if a name is
  * unknown; then *want is unchanged. */

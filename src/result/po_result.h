@@ -19,8 +19,7 @@ typedef enum {
   PO_MAXIMUM,  /* the load has a local maximum */
 } po_special_kind;
 
-/* "jump_in", "jump_out", "minimum", "maximum". */
-const char *po_special_kind_name(po_special_kind kind);
+extern const char *const PO_SPECIAL_KINDS[]; /* their names; ends with NULL */
 
 typedef struct {
   po_special_kind kind;

@@ -12,16 +12,12 @@
 #define FOLDED "with `--of folds`, from the scene at which the fold ended"
 
 /* -- Special points -- */
-static const char *const KINDS[] = {[PO_JUMP_IN] = "jump_in", [PO_JUMP_OUT] = "jump_out",
+const char *const PO_SPECIAL_KINDS[] = {[PO_JUMP_IN] = "jump_in", [PO_JUMP_OUT] = "jump_out",
                                     [PO_MINIMUM] = "minimum", [PO_MAXIMUM] = "maximum", NULL};
-
-const char *po_special_kind_name(po_special_kind kind) {
-  return KINDS[kind];
-}
 
 #define S po_special_point
 static const po_row SPECIAL_POINT[] = {
-  WORD("kind", kind, KINDS, "`jump_in` or `jump_out` (a fold), `minimum` or `maximum` (of the load)"),
+  WORD("kind", kind, PO_SPECIAL_KINDS, "`jump_in` or `jump_out` (a fold), `minimum` or `maximum` (of the load)"),
   NUMBER("approach", approach, LENGTH, "error_estimate", FOLDED, "approach"),
   NUMBER("load", load, LOAD, "load_error_estimate", FOLDED, "load"),
   NUMBER("energy", energy, ENERGY, "energy_error_estimate", "if followed", "potential energy, as in `curve_point`"),

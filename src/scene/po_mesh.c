@@ -1,10 +1,8 @@
 #include "po_mesh.h"
 
-#include <string.h>
-
-static const char *const SCHEMES[] = {
-    [PO_RING] = "ring", [PO_TRIANGLE] = "triangle", [PO_PANEL] = "panel"};
-static const char *const GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "graded"};
+const char *const PO_SCHEMES[] = {
+    [PO_RING] = "ring", [PO_TRIANGLE] = "triangle", [PO_PANEL] = "panel", NULL};
+const char *const PO_GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "graded", NULL};
 
 /* Below the smallest tolerance rounding dominates; above the greatest one the coarsest mesh already
  * meets the tolerance. */
@@ -33,25 +31,4 @@ po_status po_mesh_check(const po_mesh *mesh) {
     return po_fail(PO_BAD_INPUT, "nodes is %zu: expected %d to %d", mesh->nodes, LEAST_NODES,
                    MOST_NODES_ASKED);
   return PO_OK;
-}
-
-const char *po_scheme_name(po_scheme scheme) {
-  return SCHEMES[scheme];
-}
-const char *po_grading_name(po_grading grading) {
-  return GRADINGS[grading];
-}
-
-static int find(const char *const *names, int count, const char *name) {
-  for (int i = 0; i < count; ++i)
-    if (!strcmp(names[i], name))
-      return i;
-  return -1;
-}
-
-int po_scheme_of_name(const char *name) {
-  return find(SCHEMES, PO_PANEL + 1, name);
-}
-int po_grading_of_name(const char *name) {
-  return find(GRADINGS, PO_GRADED + 1, name);
 }

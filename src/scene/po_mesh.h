@@ -11,11 +11,13 @@ typedef enum {
   PO_TRIANGLE, /* overlapping triangles, Sec. 3.1 */
   PO_PANEL,    /* polynomials on panels, remeshed to meet a tolerance */
 } po_scheme;
+extern const char *const PO_SCHEMES[]; /* their names; ends with NULL */
 
 typedef enum {
   PO_UNIFORM, /* elements of equal length */
   PO_GRADED,  /* elements whose length grows with the radius */
 } po_grading;
+extern const char *const PO_GRADINGS[]; /* their names; ends with NULL */
 
 typedef struct {
   po_scheme scheme;
@@ -31,13 +33,5 @@ po_mesh po_mesh_default(void);
 /* Checks a mesh. Status: PO_BAD_INPUT, naming the key that is wrong, its value and the expected
  * range. */
 po_status po_mesh_check(const po_mesh *mesh);
-
-/* Returned: "ring", "triangle" or "panel"; "uniform" or "graded". */
-const char *po_scheme_name(po_scheme scheme);
-const char *po_grading_name(po_grading grading);
-
-/* Returned: the scheme or grading with this name, or -1. */
-int po_scheme_of_name(const char *name);
-int po_grading_of_name(const char *name);
 
 #endif

@@ -69,10 +69,10 @@ static void print_words(int key) {
     PO_PROFILE_ROWS(PROFILE)
     PROFILE(TABLE, "")
   }
-  for (int k = 0; key == PO_KEY_SCHEME && k <= PO_PANEL; ++k)
-    printf("%s ", po_scheme_name((po_scheme)k));
-  for (int k = 0; key == PO_KEY_GRADING && k <= PO_GRADED; ++k)
-    printf("%s ", po_grading_name((po_grading)k));
+  for (int k = 0; key == PO_KEY_SCHEME && PO_SCHEMES[k]; ++k)
+    printf("%s ", PO_SCHEMES[k]);
+  for (int k = 0; key == PO_KEY_GRADING && PO_GRADINGS[k]; ++k)
+    printf("%s ", PO_GRADINGS[k]);
 }
 
 static void print_keys(void) {

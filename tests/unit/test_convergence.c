@@ -33,8 +33,8 @@ START_TEST(triangles_and_rings_converge_at_second_order) {
   errors e[3];
   for (int k = 0; k < 3; ++k) {
     e[k] = errors_of(scheme, grading, (size_t)250 << k);
-    printf("%s %s N = %zu: force %+.2e approach %+.2e folds %+.2e %+.2e\n", po_scheme_name(scheme),
-           po_grading_name(grading), (size_t)250 << k, e[k].force, e[k].approach, e[k].jump_in,
+    printf("%s %s N = %zu: force %+.2e approach %+.2e folds %+.2e %+.2e\n", PO_SCHEMES[scheme],
+           PO_GRADINGS[grading], (size_t)250 << k, e[k].force, e[k].approach, e[k].jump_in,
            e[k].jump_out);
   }
   /* 16 over two halvings; the order may be off by one half */
