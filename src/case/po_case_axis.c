@@ -92,7 +92,7 @@ po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)
   po_text_add(&expected, "%s", what);
   for (int key = 0, named = 0; key < PO_KEY_END; ++key)
     if (!fits || fits(key))
-      po_text_add(&expected, "%s%s", named++ ? ", " : ": ", po_key_name(key));
+      po_text_add(&expected, "%s%s", named++ ? ", " : ": ", PO_KEYS[key].name);
   const po_status status = po_fields_refuse(yaml, po_text_string(&expected), "%s.key", where);
   po_text_clear(&expected);
   return status;
@@ -113,7 +113,7 @@ po_status po_case_axis_check(const po_case *kase, po_axis *axis, const char *whe
     return PO_NO_MEMORY;
   for (unsigned i = 0; i < axis->values_count; ++i) {
     if (!po_key_set(&request, key, axis->values[i]))
-      return po_fields_refuse(yaml, po_key_expected(key), "%s.values[%u]", where, i + 1);
+      return po_fields_refuse(yaml, PO_KEYS[key].expected, "%s.values[%u]", where, i + 1);
     double number = po_key_number(&request, key);
     if (isnan(number)) /* a parameter of another law or profile than that of the request */
       po_number_parse(axis->values[i], &number);

@@ -64,8 +64,8 @@ static po_status check_together(const po_sweep *sweep, const char *where, const 
     for (int key = 0; key < PO_KEY_END; ++key) {
       given += words->values[key] != NULL;
       if (words->values[key] && !po_key_set(&request, key, words->values[key]))
-        return po_fields_refuse(yaml, po_key_expected(key), "%s.together[%u].%s", where, i + 1,
-                                po_key_name(key));
+        return po_fields_refuse(yaml, PO_KEYS[key].expected, "%s.together[%u].%s", where, i + 1,
+                                PO_KEYS[key].name);
     }
     if (!given)
       return po_fields_refuse(yaml, "keys of the scene", "%s.together[%u]", where, i + 1);
@@ -153,7 +153,7 @@ static void add_setting(const po_case *kase, po_point *point, const po_sweep *sw
       continue;
     if (!po_key_is_group(key))
       po_key_set(&point->request, key, value);
-    po_text_add(label, "%s%s=%s", label->length ? " " : "", po_key_name(key),
+    po_text_add(label, "%s%s=%s", label->length ? " " : "", PO_KEYS[key].name,
                 key == PO_KEY_PROFILE_FILE ? po_case_profile_shown(kase, value) : value);
   }
 }
@@ -190,7 +190,7 @@ static po_status parse_range(po_draw *draw, const char *where, const po_yaml *ya
     return po_fields_refuse(yaml, NULL, "%s.scale", where);
   if (!po_number_parse(draw->from_text, &draw->from) ||
       !po_key_set(&any, draw->drawn, draw->from_text))
-    return po_fields_refuse(yaml, po_key_expected(draw->drawn), "%s.from", where);
+    return po_fields_refuse(yaml, PO_KEYS[draw->drawn].expected, "%s.from", where);
   if (draw->log && draw->from <= 0)
     return po_fields_refuse(yaml, "a finite number > 0, as the scale is log", "%s.from", where);
   if (!po_number_parse(draw->to_text, &draw->to) || draw->to <= draw->from)

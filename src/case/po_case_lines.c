@@ -23,20 +23,20 @@ static bool is_variable(const po_form *form, const char *key) {
 static bool is_of_form(const po_form *form, int key) {
   if (key < 0)
     return false;
-  switch (po_key_row_of(key)->owner) {
+  switch (PO_KEYS[key].owner) {
   case PO_OWNER_LAW:
     return form->takes & PO_TAKES_LAW;
   case PO_OWNER_PROFILE:
     return form->takes & PO_TAKES_PROFILE && key != PO_KEY_TABLE_SCALE && key != PO_KEY_SMOOTH &&
            key != PO_KEY_PROFILE_FILE;
   default: /* the closed forms are for the unbounded half-space */
-    return po_key_row_of(key)->owner == PO_OWNER_SCENE && po_key_target(key) != PO_KEY_OUTER_RADIUS;
+    return PO_KEYS[key].owner == PO_OWNER_SCENE && po_key_target(key) != PO_KEY_OUTER_RADIUS;
   }
 }
 
 /* Reports whether the key gives a law, a profile or waves: then the forms of any profile apply. */
 static bool is_general(int key) {
-  const po_key_owner owner = po_key_row_of(key)->owner;
+  const po_key_owner owner = PO_KEYS[key].owner;
   return owner == PO_OWNER_LAW || owner == PO_OWNER_PROFILE;
 }
 
@@ -136,7 +136,7 @@ static po_status parse_axis(po_axis *axis, const po_form *form, const char *wher
     if ((key < 0 || po_key_is_number(key)) && !po_number_parse(axis->values[i], &value))
       return po_fields_refuse(yaml, "a finite number", "%s.values[%u]", where, i + 1);
     if (key >= 0 && !po_key_set(&scratch, key, axis->values[i]))
-      return po_fields_refuse(yaml, po_key_expected(key), "%s.values[%u]", where, i + 1);
+      return po_fields_refuse(yaml, PO_KEYS[key].expected, "%s.values[%u]", where, i + 1);
   }
   return PO_OK;
 }

@@ -12,7 +12,7 @@
 
 /* Whether a key follows from the block, and therefore may not be given beside it. */
 static bool is_derived(int key) {
-  const po_key_owner owner = po_key_row_of(key)->owner;
+  const po_key_owner owner = PO_KEYS[key].owner;
   return (owner == PO_OWNER_SCENE || owner == PO_OWNER_PROFILE) &&
          (!po_key_is_group(key) || key == PO_KEY_COUPLING);
 }
@@ -24,7 +24,7 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
     if (!is_derived(key))
       continue;
     if (file->scene.values[key])
-      return po_fields_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(key));
+      return po_fields_refuse(yaml, NOT_BOTH, "scene.%s", PO_KEYS[key].name);
     for (unsigned k = 0; k < file->sweep_count; ++k)
       if (po_keys_have(file->sweep[k].varied, key))
         return po_fields_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1,
@@ -131,14 +131,14 @@ static po_status check_pairs(const po_case_file *file, const po_yaml *yaml) {
   for (size_t i = 0; i < sizeof PAIRS / sizeof *PAIRS; ++i) {
     const po_key key = PAIRS[i].key, other = PAIRS[i].other;
     if (scene[other] && (scene[key] || po_keys_have(file->varied, key)))
-      return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(other));
+      return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", PO_KEYS[other].name);
     if (scene[key] && po_keys_have(file->varied, other))
-      return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(key));
+      return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", PO_KEYS[key].name);
     for (unsigned k = 0; k < file->sweep_count; ++k)
       for (unsigned n = 0; n < file->sweep[k].together_count; ++n)
         if (file->sweep[k].together[n].values[key] && file->sweep[k].together[n].values[other])
           return po_fields_refuse(yaml, PAIRS[i].expected, "sweep[%u].together[%u].%s", k + 1,
-                                  n + 1, po_key_name(other));
+                                  n + 1, PO_KEYS[other].name);
   }
   return PO_OK;
 }
@@ -156,15 +156,14 @@ static po_status read_physical(const po_case *kase, const po_yaml *yaml, po_requ
   if (!status)
     return PO_OK;
   char where[PO_CASE_WHERE_LENGTH];
-  snprintf(where, sizeof where, "%s%s", given.prefix, po_key_name(given.wrong));
+  snprintf(where, sizeof where, "%s%s", given.prefix, PO_KEYS[given.wrong].name);
   return case_refuse_for(yaml, given.text[given.wrong] ? where : "scene.physical", status);
 }
 
 /* Whether the block gives a key. */
 static bool is_given_by(const po_scene_words *physical, int key) {
   const int si = po_key_in_si(key);
-  return po_key_row_of(key)->owner == PO_OWNER_TRACE ? si >= 0 && physical->values[si]
-                                                     : is_derived(key);
+  return PO_KEYS[key].owner == PO_OWNER_TRACE ? si >= 0 && physical->values[si] : is_derived(key);
 }
 
 static po_status parse_physical(po_case *kase, const po_yaml *yaml) {
@@ -185,7 +184,7 @@ static po_status parse_physical(po_case *kase, const po_yaml *yaml) {
       continue;
     if (words->values[key])
       return po_fields_refuse(yaml, "only this key, or that of scene.physical", "scene.%s",
-                              po_key_name(key));
+                              PO_KEYS[key].name);
     po_key_print(&request, key, text);
     words->values[key] = po_copy_text(text);
     if (!words->values[key])
@@ -215,8 +214,8 @@ static po_status check_settings(const po_sweep *sweep, unsigned number, const po
           (key == PO_KEY_RADIUS && (given[PO_KEY_PROFILE] || given[PO_KEY_PROFILE_FILE])) ||
           (key == PO_KEY_WAVELENGTH && !given[PO_KEY_AMPLITUDE]))
         continue;
-      return po_fields_refuse(yaml, po_key_expected(key), "sweep[%u].together[%u].%s", number,
-                              i + 1, po_key_name(key));
+      return po_fields_refuse(yaml, PO_KEYS[key].expected, "sweep[%u].together[%u].%s", number,
+                              i + 1, PO_KEYS[key].name);
     }
   }
   return PO_OK;
@@ -226,7 +225,7 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
   po_request request = po_request_default();
   for (int key = 0; key < PO_KEY_END; ++key)
     if (file->scene.values[key] && !po_key_set(&request, key, file->scene.values[key]))
-      return po_fields_refuse(yaml, NULL, "scene.%s", po_key_name(key));
+      return po_fields_refuse(yaml, NULL, "scene.%s", PO_KEYS[key].name);
   const bool panels = request.mesh.scheme == PO_PANEL && !po_keys_have(file->varied, PO_KEY_SCHEME);
   const bool wavy = request.scene.amplitude > 0 || po_keys_have(file->varied, PO_KEY_AMPLITUDE);
   const bool waves = file->scene.values[PO_KEY_WAVES] || po_keys_have(file->varied, PO_KEY_WAVES);
@@ -241,8 +240,8 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
       continue;
     char expected[128];
     snprintf(expected, sizeof expected, "%s, here, in the sweep or in the sample",
-             po_key_expected(key));
-    return po_fields_refuse(yaml, expected, "scene.%s", po_key_name(key));
+             PO_KEYS[key].expected);
+    return po_fields_refuse(yaml, expected, "scene.%s", PO_KEYS[key].name);
   }
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->sweep_count; ++i)
@@ -292,7 +291,7 @@ po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
     if (!is_parameter_of_none(kase, key))
       continue;
     if (file->scene.values[key])
-      return po_fields_refuse(yaml, EXPECTED, "scene.%s", po_key_name(key));
+      return po_fields_refuse(yaml, EXPECTED, "scene.%s", PO_KEYS[key].name);
     for (unsigned i = 0; i < file->sweep_count; ++i)
       if (po_keys_have(file->sweep[i].varied, key))
         return po_fields_refuse(yaml, EXPECTED, "sweep[%u]", i + 1);

@@ -78,7 +78,7 @@ static po_status take_varied(const char *name, void *varied) {
   char flag[PO_FLAG_LENGTH];
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     po_key_flag(key, flag);
-    if (!po_key_is_continuous(key) || !(po_key_row_of(key)->verbs & PO_FOR_FOLLOW) ||
+    if (!po_key_is_continuous(key) || !(PO_KEYS[key].verbs & PO_FOR_FOLLOW) ||
         strcmp(flag, optarg) != 0)
       continue;
     *(int *)varied = key;

@@ -159,7 +159,7 @@ static po_status plot_map(const po_case_run *run, const po_case *kase, const po_
   po_status status = x && y ? PO_OK : PO_NO_MEMORY;
   po_plot_map map = {0};
   if (!status) {
-    map = (po_plot_map){po_key_name(keys[0]),        po_key_name(keys[1]),        x,   y,
+    map = (po_plot_map){PO_KEYS[keys[0]].name,       PO_KEYS[keys[1]].name,       x,   y,
                         values_of(kase, keys[0], x), values_of(kase, keys[1], y), NULL};
     map.value = force = po_allocate(map.columns * map.rows, sizeof *force);
     status = force ? PO_OK : PO_NO_MEMORY;
@@ -200,7 +200,7 @@ static int find_key(const po_case *kase) {
 
 /* The words of a label that are not about the key on the x axis. */
 static void other_words(const char *label, po_key key, char others[160]) {
-  const char *name = po_key_name(key);
+  const char *name = PO_KEYS[key].name;
   const size_t length = strlen(name);
   others[0] = '\0';
   while (*label) {
@@ -248,7 +248,7 @@ static po_status draw_run(const po_case *kase, po_key key, const run_point *poin
   po_plot_picture picture =
       po_plot_begin(po_copy_text(kase->file->title), &kase->points[0].request);
   po_plot_panel *panel = po_plot_add_panel(&picture);
-  panel->x = po_plot_axis_of(&picture, po_key_name(key), "", PO_DIMENSION_NONE);
+  panel->x = po_plot_axis_of(&picture, PO_KEYS[key].name, "", PO_DIMENSION_NONE);
   panel->y = po_plot_axis_of(&picture, "pull-off force", "", PO_DIMENSION_LOAD);
   double least = INFINITY, most = 0.0;
   for (size_t begin = 0, end; begin < count; begin = end) {

@@ -249,7 +249,7 @@ static void print_input(const po_request *request) {
       snprintf(text, sizeof text, "%.15g", po_key_number(request, shown));
     else
       print_key(request, shown, text);
-    printf(" %s %s", po_key_name(shown), text);
+    printf(" %s %s", PO_KEYS[shown].name, text);
   }
   printf("\nunits    lengths in epsilon, load and force in %s; the load is > 0 in compression\n",
          po_input_load_unit(request));

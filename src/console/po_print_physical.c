@@ -13,7 +13,7 @@
  * a ratio of amplitude and wavelength is an amplitude. */
 static const char *shown(const po_given *given, int key, char text[PO_KEY_TEXT_LENGTH]) {
   const bool one = key == PO_KEY_PROFILE || key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
-  if (!one && po_key_row_of(key)->owner != PO_OWNER_SI)
+  if (!one && PO_KEYS[key].owner != PO_OWNER_SI)
     return NULL;
   const char *ratio = given->text[PO_KEY_AMPLITUDE_RATIO],
              *wavelength = given->text[PO_KEY_WAVELENGTH_M];
@@ -47,7 +47,7 @@ json_t *po_json_physical_input(const po_given *given, const po_units *units) {
     char buffer[PO_KEY_TEXT_LENGTH];
     const char *text = shown(given, key_at(i), buffer);
     if (text)
-      po_json_set(&input, po_key_name((po_key)key_at(i)),
+      po_json_set(&input, PO_KEYS[key_at(i)].name,
                   po_number_parse(text, &value) ? po_json_number(value) : po_json_text(text));
   }
   return PO_JSON_OBJECT({"input", input}, {"units", po_json_units(units)});
@@ -66,7 +66,7 @@ void po_print_physical_input(const po_given *given) {
     char buffer[PO_KEY_TEXT_LENGTH];
     const char *text = shown(given, key_at(i), buffer);
     if (text)
-      printf(" %s %s", po_key_name((po_key)key_at(i)), text);
+      printf(" %s %s", PO_KEYS[key_at(i)].name, text);
   }
   printf("\n");
 }

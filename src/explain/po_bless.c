@@ -110,7 +110,7 @@ static void add_shared_keys(const po_case *kase, const pin_list *list, po_text *
   char value[PO_KEY_TEXT_LENGTH];
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (is_shared(kase, list, (po_key)key, value) && strcmp(value, "-") != 0)
-      po_text_add(text, "# %s: %s\n", po_key_name((po_key)key), value);
+      po_text_add(text, "# %s: %s\n", PO_KEYS[key].name, value);
 }
 
 /* Adds the line of column names and the rows of the table. */
@@ -120,7 +120,7 @@ static void add_rows(const po_case *kase, const pin_list *list, po_text *rows) {
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     column[key] = !is_shared(kase, list, (po_key)key, value);
     if (column[key])
-      po_text_add(rows, "%s,", po_key_name((po_key)key));
+      po_text_add(rows, "%s,", PO_KEYS[key].name);
   }
   po_text_add(rows, "quantity,value\n");
   for (size_t i = 0; i < list->count; ++i) {

@@ -229,7 +229,7 @@ json_t *po_json_input(const po_request *request) {
       item = po_json_count(request->mesh.nodes);
     else
       item = po_json_number(value);
-    po_json_set(&object, po_key_name(key), item);
+    po_json_set(&object, PO_KEYS[key].name, item);
   }
   po_json_set(&object, "load_unit", po_json_text(po_input_load_unit(request)));
   return object;

@@ -19,7 +19,7 @@ static void write_name(const po_given *given, int key, char name[PO_KEY_NAME_LEN
   char flag[PO_FLAG_LENGTH];
   po_key_flag(key, flag);
   snprintf(name, PO_KEY_NAME_LENGTH, "%s%s", given->prefix,
-           are_options(given) ? flag : po_key_name(key));
+           are_options(given) ? flag : PO_KEYS[key].name);
 }
 
 void po_given_name(const po_given *given, po_key key, char name[PO_KEY_NAME_LENGTH]) {
@@ -54,7 +54,7 @@ static po_status set_key(po_given *given, int key, po_request *request) {
   if (!text)
     return PO_OK;
   if (key != PO_KEY_PROFILE_FILE)
-    return po_key_set(request, key, text) ? PO_OK : refuse(given, key, "%s", po_key_expected(key));
+    return po_key_set(request, key, text) ? PO_OK : refuse(given, key, "%s", PO_KEYS[key].expected);
   given->wrong = key; /* the message states what is wrong with the file */
   const po_status status = po_profile_set_file(&request->scene.profile, text);
   if (!status && !request->radius_given)
@@ -69,7 +69,7 @@ bool po_given_has(const po_given *given, po_key key) {
 
 /* The value of a key in SI units in that of the key that it sets. */
 static double without_unit(int key, double value, const po_units *units) {
-  return value / po_si_unit_of(units, po_key_row_of(key)->dimension).factor;
+  return value / po_si_unit_of(units, PO_KEYS[key].dimension).factor;
 }
 
 double po_given_number(const po_given *given, po_key key, const po_units *units) {
@@ -88,7 +88,7 @@ static po_status check_pairs(po_given *given) {
     const po_key target = po_key_target(key);
     const bool further = are_options(given) && key == PO_KEY_WAVES;
     if (!given->text[key] || target == key || further || !po_given_has(given, target) ||
-        (po_key_row_of(key)->owner == PO_OWNER_SI && !given->text[target]))
+        (PO_KEYS[key].owner == PO_OWNER_SI && !given->text[target]))
       continue;
     char name[PO_KEY_NAME_LENGTH], other[PO_KEY_NAME_LENGTH];
     write_name(given, key, name);
@@ -101,7 +101,7 @@ static po_status check_pairs(po_given *given) {
 /* Refuses keys in the units of the other kind of scene. */
 static po_status check_units(po_given *given) {
   for (int key = 0; key < PO_KEY_ALL; ++key) {
-    const po_key_row *row = po_key_row_of(key);
+    const po_key_row *row = &PO_KEYS[key];
     const int si = po_key_in_si(key);
     const bool of_scene = row->owner == PO_OWNER_SCENE && key != PO_KEY_AMPLITUDE_RATIO;
     if (!given->text[key])
@@ -139,7 +139,7 @@ static po_status read_physical(po_given *given, po_physical *p) {
   for (size_t i = 0; i < sizeof items / sizeof *items; ++i) {
     const char *text = given->text[items[i].key];
     if (text && !po_key_parse(items[i].key, text, items[i].value))
-      return refuse(given, items[i].key, "%s", po_key_expected(items[i].key));
+      return refuse(given, items[i].key, "%s", PO_KEYS[items[i].key].expected);
     if (text || !items[i].needed)
       continue;
     char name[4][PO_KEY_NAME_LENGTH];
@@ -147,7 +147,7 @@ static po_status read_physical(po_given *given, po_physical *p) {
       write_name(given, items[k].key, name[k]);
     return refuse(given, items[i].key,
                   "%s; a scene in SI units has %s%s%s, %s and, of a sphere, %s",
-                  po_key_expected(items[i].key), name[0],
+                  PO_KEYS[items[i].key].expected, name[0],
                   given->any_modulus ? " (if elastic), " : ", ", name[1], name[2], name[3]);
   }
   if (!given->text[PO_KEY_RADIUS_M])
@@ -159,7 +159,7 @@ static po_status read_physical(po_given *given, po_physical *p) {
 static po_status set_profile(po_given *given, double distance, po_request *request) {
   po_status status = PO_OK;
   for (int key = 0; key < PO_KEY_COUNT && !status; ++key)
-    if (po_key_row_of(key)->owner == PO_OWNER_PROFILE && po_key_target(key) == key)
+    if (PO_KEYS[key].owner == PO_OWNER_PROFILE && po_key_target(key) == key)
       status = set_key(given, key, request);
   given->wrong = status ? given->wrong : PO_KEY_PROFILE;
   if (!status && !given->text[PO_KEY_PROFILE_FILE])
@@ -177,7 +177,7 @@ static po_status add_waves(po_given *given, double distance, po_scene *scene) {
   if (!given->text[PO_KEY_WAVES])
     return PO_OK;
   if (!po_scene_set_waves(&waves, given->text[PO_KEY_WAVES]))
-    return refuse(given, PO_KEY_WAVES, "%s", po_key_expected(PO_KEY_WAVES));
+    return refuse(given, PO_KEY_WAVES, "%s", PO_KEYS[PO_KEY_WAVES].expected);
   for (size_t k = 0; k < po_scene_waves(&waves); ++k) {
     const po_wave wave = po_scene_wave(&waves, k);
     if (!po_scene_add_wave(scene, (po_wave){wave.amplitude / distance, wave.length / distance}))
@@ -215,13 +215,13 @@ static po_status set_physical(po_given *given, po_request *request) {
 /* Sets the keys in SI units that do not belong to the scene. */
 static po_status set_in_si(po_given *given, po_request *request) {
   for (int key = PO_KEY_END; key < PO_KEY_ALL; ++key) {
-    const po_key_row *target = po_key_row_of(po_key_target(key));
+    const po_key_row *target = &PO_KEYS[po_key_target(key)];
     double value = 0;
     if (!given->text[key] || target->owner != PO_OWNER_TRACE)
       continue;
     if (!po_key_parse(key, given->text[key], &value))
-      return refuse(given, key, "%s", po_key_expected(key));
-    if (po_key_row_of(key)->owner == PO_OWNER_SI)
+      return refuse(given, key, "%s", PO_KEYS[key].expected);
+    if (PO_KEYS[key].owner == PO_OWNER_SI)
       value = without_unit(key, value, &request->units);
     if (target->place != PO_NO_PLACE)
       *(double *)(void *)((char *)request + target->place) = value;
@@ -242,8 +242,8 @@ static po_status check_idle(po_given *given, const po_request *request) {
       continue;
     if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)
       return refuse(given, key, "it beside the file of a profile");
-    const bool law = po_key_row_of(key)->owner == PO_OWNER_LAW;
-    const char *name = po_key_name(key); /* begins with that of its law or profile */
+    const bool law = PO_KEYS[key].owner == PO_OWNER_LAW;
+    const char *name = PO_KEYS[key].name; /* begins with that of its law or profile */
     return refuse(
         given, key, "it with the %s %.*s, not %s", law ? "law" : "profile", (int)strcspn(name, "_"),
         name, law ? po_law_name(&request->scene.law) : po_profile_name(&request->scene.profile));
@@ -267,7 +267,7 @@ po_status po_given_read(po_given *given, po_request *request) {
     status = set_physical(given, request);
   const bool further = are_options(given) && given->text[PO_KEY_AMPLITUDE];
   for (int key = 0; key < PO_KEY_END && !status; ++key) {
-    const po_key_owner owner = po_key_row_of(key)->owner;
+    const po_key_owner owner = PO_KEYS[key].owner;
     if (given->si ? owner == PO_OWNER_SCENE || owner == PO_OWNER_PROFILE
                   : further && key == PO_KEY_WAVES)
       continue;
@@ -324,7 +324,7 @@ po_status po_use_check(const char *what, const po_use *uses, size_t count) {
 
 /* The part of a scene to which a key belongs, as in po_form.takes; 0: no form depends on it. */
 static unsigned part_of(po_key key) {
-  const po_key_owner owner = po_key_row_of(key)->owner;
+  const po_key_owner owner = PO_KEYS[key].owner;
   if (owner == PO_OWNER_LAW || owner == PO_OWNER_PROFILE)
     return owner == PO_OWNER_LAW ? PO_TAKES_LAW : PO_TAKES_PROFILE;
   switch (po_key_target(key)) {
@@ -359,7 +359,7 @@ po_status po_given_check_form(const po_given *given, const po_form *form, bool a
       if ((po_key_target(key) != PO_KEY_TABOR) != (other != 0))
         continue;
       const bool named = !po_key_is_number(key) || key == PO_KEY_COUPLING ||
-                         (po_key_is_of_scene(key) && po_key_row_of(k)->owner == PO_OWNER_SCENE);
+                         (po_key_is_of_scene(key) && PO_KEYS[k].owner == PO_OWNER_SCENE);
       po_use *use = &uses[used++];
       po_given_name(given, key, use->name);
       use->given = po_given_has(given, key);

@@ -48,12 +48,8 @@ enum { CONSTANT = false, VARIES = true };
 
 #define ROW(key, name, domain, dimension, owner, place, varies, verbs, value, help)                \
   [PO_KEY_##key] = {name, domain, dimension, varies, PO_OWNER_##owner, place, verbs, value, help},
-static const po_key_row KEYS[PO_KEY_ALL] = {PO_KEY_ROWS(ROW) PO_GROUP_ROWS(ROW) PO_GIVEN_ROWS(ROW)
-                                                PO_VARIABLE_ROWS(ROW)};
-
-const po_key_row *po_key_row_of(po_key key) {
-  return &KEYS[key];
-}
+const po_key_row PO_KEYS[PO_KEY_ALL] = {PO_KEY_ROWS(ROW) PO_GROUP_ROWS(ROW) PO_GIVEN_ROWS(ROW)
+                                            PO_VARIABLE_ROWS(ROW)};
 
 po_request po_input_default(void) {
   po_request request = po_request_default();
@@ -68,21 +64,13 @@ int po_key_of_name(const char *name) {
 
 int po_given_key(const char *name) {
   for (int key = 0; key < PO_KEY_ALL; ++key)
-    if (strcmp(KEYS[key].name, name) == 0)
+    if (strcmp(PO_KEYS[key].name, name) == 0)
       return key;
   return -1;
 }
 
-const char *po_key_name(po_key key) {
-  return KEYS[key].name;
-}
-
-const char *po_key_expected(po_key key) {
-  return KEYS[key].expected;
-}
-
 bool po_key_is_number(po_key key) {
-  return KEYS[key].domain != NAME_DOMAIN;
+  return PO_KEYS[key].domain != NAME_DOMAIN;
 }
 
 bool po_key_is_group(po_key key) {
@@ -90,36 +78,36 @@ bool po_key_is_group(po_key key) {
 }
 
 bool po_key_is_parameter(po_key key, po_key_owner owner) {
-  return key >= 0 && KEYS[key].owner == owner && KEYS[key].domain != NAME_DOMAIN;
+  return key >= 0 && PO_KEYS[key].owner == owner && PO_KEYS[key].domain != NAME_DOMAIN;
 }
 
 bool po_key_is_continuous(po_key key) {
-  return key >= 0 && KEYS[key].varies;
+  return key >= 0 && PO_KEYS[key].varies;
 }
 
 po_key po_key_target(po_key key) {
-  return KEYS[key].target < 0 ? key : KEYS[key].target;
+  return PO_KEYS[key].target < 0 ? key : PO_KEYS[key].target;
 }
 
 int po_key_in_si(po_key key) {
   for (int si = PO_KEY_END; si < PO_KEY_ALL; ++si)
-    if (KEYS[si].target == key)
+    if (PO_KEYS[si].target == key)
       return si;
   return -1;
 }
 
 /* Returned: the place of the value of a key in a request; NULL for names, counts and groups. */
 static double *key_place(po_request *request, po_key key) {
-  const size_t place = KEYS[key].place;
+  const size_t place = PO_KEYS[key].place;
   return place == PO_NO_PLACE ? NULL : (double *)(void *)((char *)request + place);
 }
 
 /* The number of a parameter among those of all laws, or of all profiles. */
 static int parameter_of(po_key key) {
-  const size_t first = KEYS[key].owner == PO_OWNER_LAW
+  const size_t first = PO_KEYS[key].owner == PO_OWNER_LAW
                            ? offsetof(po_request, scene.law.parameter)
                            : offsetof(po_request, scene.profile.parameter);
-  return (int)((KEYS[key].place - first) / sizeof(double));
+  return (int)((PO_KEYS[key].place - first) / sizeof(double));
 }
 
 /* Whether the law or the profile of a request has the parameter that a key is. */
@@ -180,7 +168,7 @@ static bool parse_or_infinity(const char *text, double *value) {
 }
 
 bool po_key_parse(po_key key, const char *text, double *value) {
-  switch ((value_type)KEYS[key].domain) {
+  switch ((value_type)PO_KEYS[key].domain) {
   case ANY_NUMBER_DOMAIN:
     return po_number_parse(text, value);
   case NOT_NEGATIVE_DOMAIN:
@@ -200,9 +188,9 @@ bool po_key_parse(po_key key, const char *text, double *value) {
 }
 
 bool po_key_set(po_request *request, po_key key, const char *text) {
-  if (KEYS[key].domain == NAME_DOMAIN)
+  if (PO_KEYS[key].domain == NAME_DOMAIN)
     return set_name(request, key, text);
-  if (KEYS[key].domain == COUNT_DOMAIN) {
+  if (PO_KEYS[key].domain == COUNT_DOMAIN) {
     size_t count = 0;
     if (!po_number_parse_count(text, &count) || count == 0)
       return false;
@@ -212,7 +200,7 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
   double value = 0;
   if (!po_key_parse(key, text, &value))
     return false;
-  if (KEYS[key].owner == PO_OWNER_SI)
+  if (PO_KEYS[key].owner == PO_OWNER_SI)
     return true;
   if (key == PO_KEY_ALPHA)
     value = sqrt(request->scene.amplitude * request->scene.radius / value);
@@ -268,7 +256,7 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
 }
 
 bool po_key_is_of_scene(po_key key) {
-  return KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group(key);
+  return PO_KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group(key);
 }
 
 bool po_input_has_coupling(const po_request *request) {

@@ -42,9 +42,9 @@ enum { PO_FOR_SOLVE = 1, PO_FOR_FOLLOW = 2, PO_FOR_THEORY = 4 };
 
 /* A row of po_key_rows.h. */
 typedef struct {
-  const char *name;
-  int domain; /* private to po_input.c */
-  const char *expected;
+  const char *name;     /* e.g. "tabor" or "outer_radius" */
+  int domain;           /* private to po_input.c */
+  const char *expected; /* the accepted values, "a finite number > 0", as messages print them */
   po_dimension dimension;
   bool varies;
   po_key_owner owner;
@@ -54,7 +54,7 @@ typedef struct {
   const char *value, *help, *help_of_form; /* the latter of theory; "": the same */
 } po_key_row;
 #define PO_NO_PLACE ((size_t)-1)
-const po_key_row *po_key_row_of(po_key key);
+extern const po_key_row PO_KEYS[PO_KEY_ALL];
 
 /* The longest text of a value, and its NUL: a path or all waves. */
 enum { PO_KEY_TEXT_LENGTH = 1024 };
@@ -67,16 +67,9 @@ po_request po_input_default(void);
 int po_key_of_name(const char *name);
 int po_given_key(const char *name);
 
-/* Returned: the name of a key, e.g. "tabor" or "outer_radius". */
-const char *po_key_name(po_key key);
-
 /* The name of the option of a key: its name with dashes, in the singular for the waves. */
 enum { PO_FLAG_LENGTH = 32 };
 void po_key_flag(po_key key, char flag[PO_FLAG_LENGTH]);
-
-/* Returned: the accepted values, e.g. "a finite number > 0", as messages print them after "expected
- * ". */
-const char *po_key_expected(po_key key);
 
 /* Returned: whether the value is a number (otherwise it is a name, as for scheme). */
 bool po_key_is_number(po_key key);

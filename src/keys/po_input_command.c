@@ -98,7 +98,7 @@ static bool print_coupling(const po_request *request, char text[PO_KEY_TEXT_LENG
 }
 
 void po_key_flag(po_key key, char flag[PO_FLAG_LENGTH]) {
-  snprintf(flag, PO_FLAG_LENGTH, "%s", key == PO_KEY_WAVES ? "wave" : po_key_name(key));
+  snprintf(flag, PO_FLAG_LENGTH, "%s", key == PO_KEY_WAVES ? "wave" : PO_KEYS[key].name);
   for (char *c = flag; *c; ++c)
     if (*c == '_')
       *c = '-';

@@ -57,11 +57,11 @@ size_t pulloff_key_count(void) {
 }
 
 const char *pulloff_key_name(size_t number) {
-  return number < WANT ? po_key_name((po_key)number) : number == WANT ? "want" : NULL;
+  return number < WANT ? PO_KEYS[number].name : number == WANT ? "want" : NULL;
 }
 
 const char *pulloff_key_expected(size_t number) {
-  return number < WANT ? po_key_expected((po_key)number) : number == WANT ? PO_WANT_EXPECTED : NULL;
+  return number < WANT ? PO_KEYS[number].expected : number == WANT ? PO_WANT_EXPECTED : NULL;
 }
 
 po_status po_library_suggest(const char *key) {
@@ -150,7 +150,7 @@ po_given po_library_given(const pulloff_scene *scene, int key, const char *value
   po_given given = {.prefix = "", .mixed = true};
   for (int k = 0; k < PO_KEY_ALL; ++k) {
     given.text[k] = k == key ? value : scene->text[k];
-    given.si = given.si || (given.text[k] && po_key_row_of(k)->owner == PO_OWNER_SI);
+    given.si = given.si || (given.text[k] && PO_KEYS[k].owner == PO_OWNER_SI);
   }
   return given;
 }

@@ -52,7 +52,7 @@ _Static_assert(PO_KEY_ALL + 32 < MOST_OPTIONS,
 static size_t add_key_options(unsigned verb, struct option table[MOST_OPTIONS], size_t count) {
   static char names[PO_KEY_ALL][PO_FLAG_LENGTH];
   for (int key = 0; key < PO_KEY_ALL; ++key) {
-    if (!(po_key_row_of(key)->verbs & verb))
+    if (!(PO_KEYS[key].verbs & verb))
       continue;
     po_key_flag(key, names[key]);
     table[count++] = (struct option){names[key], required_argument, NULL, PO_OPTION_KEYS + key};
@@ -87,7 +87,7 @@ static const char *help_of(const po_key_row *row, unsigned verb) {
 static void add_options_of(unsigned verb, po_key_owner first, po_key_owner last, po_text *help) {
   size_t used = 0;
   for (int key = 0; key < PO_KEY_ALL; ++key) {
-    const po_key_row *row = po_key_row_of(key);
+    const po_key_row *row = &PO_KEYS[key];
     if (!(row->verbs & verb) || row->owner < first || row->owner > last)
       continue;
     char flag[PO_FLAG_LENGTH], option[64];
@@ -105,7 +105,7 @@ static void add_options_of(unsigned verb, po_key_owner first, po_key_owner last,
 
 void po_options_add_varying(po_text *names) {
   for (int key = 0, named = 0; key < PO_KEY_ALL; ++key)
-    if (po_key_is_continuous(key) && po_key_row_of(key)->verbs & PO_FOR_FOLLOW) {
+    if (po_key_is_continuous(key) && PO_KEYS[key].verbs & PO_FOR_FOLLOW) {
       char flag[PO_FLAG_LENGTH];
       po_key_flag(key, flag);
       po_text_add(names, "%s%s%s", named++ ? ", " : "",

@@ -108,8 +108,8 @@ typedef struct {
 static bool describe(const po_csv *table, const po_request *request, scene_words *scene) {
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     po_pins_key_text(request, (po_key)key, scene->texts[key]);
-    scene->columns[key] = po_csv_find_column(table, po_key_name((po_key)key));
-    const po_csv_header *header = po_csv_find_header(table, po_key_name((po_key)key));
+    scene->columns[key] = po_csv_find_column(table, PO_KEYS[key].name);
+    const po_csv_header *header = po_csv_find_header(table, PO_KEYS[key].name);
     if (scene->columns[key] < 0 && strcmp(header ? header->value : "-", scene->texts[key]) != 0)
       return false;
   }

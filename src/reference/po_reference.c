@@ -107,14 +107,14 @@ static po_status check_selectors(const po_csv *table) {
           !po_key_set(&request, (po_key)key, po_csv_cell(table, r, c)))
         return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path,
                        table->lines[r], table->columns[c], po_csv_cell(table, r, c),
-                       po_key_expected((po_key)key));
+                       PO_KEYS[key].expected);
   }
   for (size_t i = 0; i < table->header_count; ++i) {
     const po_csv_header *header = &table->headers[i];
     const int key = po_key_of_name(header->key);
     if (key >= 0 && !po_key_set(&request, (po_key)key, header->value))
       return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path, header->line,
-                     header->key, header->value, po_key_expected((po_key)key));
+                     header->key, header->value, PO_KEYS[key].expected);
   }
   return PO_OK;
 }

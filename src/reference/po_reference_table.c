@@ -92,8 +92,8 @@ void po_reference_close(po_reference *reference) {
 }
 
 static bool names(const po_csv *table, po_key key) {
-  return po_csv_find_column(table, po_key_name(key)) >= 0 ||
-         po_csv_find_header(table, po_key_name(key));
+  return po_csv_find_column(table, PO_KEYS[key].name) >= 0 ||
+         po_csv_find_header(table, PO_KEYS[key].name);
 }
 
 /* A table without a key law is valid for the law of the paper only, one without a profile for the
@@ -127,7 +127,7 @@ static bool cell_holds(const po_csv *table, const po_request *request, po_key ke
   if (!is_named && key == PO_KEY_RADIUS)
     return !po_profile_is_sphere(&request->scene.profile) && request->scene.radius == 1.0;
   if (!is_named && key == PO_KEY_TABOR)
-    return po_csv_find_column(table, po_key_name(PO_KEY_COUPLING)) >= 0;
+    return po_csv_find_column(table, PO_KEYS[PO_KEY_COUPLING].name) >= 0;
   return po_key_matches(request, key, text);
 }
 

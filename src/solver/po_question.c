@@ -32,7 +32,7 @@ static json_t *scene_json(const po_request *request) {
   json_t *object = po_json_empty_object(), *input = po_json_input(request);
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (is_asked(request, key)) {
-      const char *name = po_key_name((po_key)key);
+      const char *name = PO_KEYS[key].name;
       char path[PO_KEY_TEXT_LENGTH];
       print_value(request, (po_key)key, path);
       po_json_set(&object, name,
@@ -109,7 +109,7 @@ po_status po_questions_print(const po_solver *solver, const po_question *questio
     po_text_add(text, ",%s", solver->file->knob->name);
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (used[key])
-      po_text_add(text, ",%s", po_key_name((po_key)key));
+      po_text_add(text, ",%s", PO_KEYS[key].name);
   po_text_add(text, "\n");
   for (size_t i = 0; i < count; ++i) {
     const po_question *q = &questions[i];

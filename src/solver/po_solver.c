@@ -67,8 +67,8 @@ static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned nu
   for (unsigned v = 0; v < axis->values_count; ++v) {
     po_request request = po_input_default();
     if (!po_key_set(&request, (po_key)key, axis->values[v]))
-      return po_fields_refuse(yaml, po_key_expected((po_key)key), "can.scene[%u].values[%u]",
-                              number, v + 1);
+      return po_fields_refuse(yaml, PO_KEYS[key].expected, "can.scene[%u].values[%u]", number,
+                              v + 1);
   }
   item->from = -INFINITY;
   item->to = INFINITY;
@@ -299,7 +299,7 @@ po_file_path po_solver_folder(const po_solver *solver, const char *output) {
 static const po_solver_key *find_key(const po_solver *solver, po_key key) {
   const po_solver_can *can = &solver->file->can;
   for (unsigned i = 0; i < can->scene_count; ++i)
-    if (strcmp(can->scene[i].axis.key, po_key_name(key)) == 0)
+    if (strcmp(can->scene[i].axis.key, PO_KEYS[key].name) == 0)
       return &can->scene[i];
   return NULL;
 }
@@ -324,7 +324,7 @@ bool po_solver_accepts(const po_solver *solver, const po_request *request,
     if (item && accepts_value(item, request, (po_key)key))
       continue;
     po_key_print(request, (po_key)key, value);
-    snprintf(why, PO_SOLVER_WHY, "%s is %.60s: %s", po_key_name((po_key)key), value,
+    snprintf(why, PO_SOLVER_WHY, "%s is %.60s: %s", PO_KEYS[key].name, value,
              item ? "outside the values that the manifest declares"
                   : "the manifest does not declare this key");
     return false;

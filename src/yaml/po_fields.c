@@ -38,7 +38,7 @@ static void leave(place *at, size_t length) {
 
 /* Returned: the permitted values of a field, as in messages. */
 static const char *expected_of(const po_field *field) {
-  return field->expected ? field->expected : po_key_expected(po_given_key(field->key));
+  return field->expected ? field->expected : PO_KEYS[po_given_key(field->key)].expected;
 }
 
 static po_status refuse(const place *at, const po_field *field) {

@@ -20,7 +20,7 @@ typedef struct po_field {
   const char *key; /* NULL ends the fields of a struct */
   po_field_kind kind;
   bool optional;        /* the member stays NULL when the key is absent */
-  const char *expected; /* permitted values, as in messages; NULL: po_key_expected of the key */
+  const char *expected; /* permitted values, as in messages; NULL: those of the key in PO_KEYS */
   size_t offset, count_offset;
   size_t size; /* size of the object, or of an item of the list, that the member points to */
   const struct po_field *fields; /* of the struct; NULL: the member is no struct */

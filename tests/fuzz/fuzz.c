@@ -99,11 +99,11 @@ void fuzz_require_request(const po_request *request) {
     if (po_key_is_idle(request, (po_key)key))
       continue;
     fuzz_require(po_key_set(&back, (po_key)key, text), "%s is printed as %s, which is refused",
-                 po_key_name((po_key)key), text);
+                 PO_KEYS[key].name, text);
     fuzz_require(po_key_number(&back, (po_key)key) == value,
-                 "%s is printed as %s, which is another", po_key_name((po_key)key), text);
+                 "%s is printed as %s, which is another", PO_KEYS[key].name, text);
     fuzz_require(po_key_matches(request, (po_key)key, text), "%s does not match its own text %s",
-                 po_key_name((po_key)key), text);
+                 PO_KEYS[key].name, text);
   }
 }
 

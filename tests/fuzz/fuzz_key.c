@@ -32,14 +32,14 @@ static void set(po_request *request, const char *name, const char *text) {
   if (key < 0)
     return;
   memcpy(&before, request, sizeof before); /* with its padding, unlike an assignment */
-  fuzz_require(strcmp(po_key_name((po_key)key), name) == 0, "%s is the key of another name", name);
+  fuzz_require(strcmp(PO_KEYS[key].name, name) == 0, "%s is the key of another name", name);
   if (!po_key_set(request, (po_key)key, text)) {
     fuzz_require(memcmp(&before, request, sizeof before) == 0, "a refused %s changes the request",
                  name);
     /* A table is also matched by the digest of its content, and a profile without one by "-". */
     fuzz_require(key == PO_KEY_PROFILE_FILE || !po_key_matches(request, (po_key)key, text),
                  "%s matches a refused %s", name, text);
-    fuzz_require(*po_key_expected((po_key)key) != '\0', "nothing is expected of %s", name);
+    fuzz_require(*PO_KEYS[key].expected != '\0', "nothing is expected of %s", name);
     return;
   }
   /* A parameter of another profile or law is kept for later, and has no number until then. */

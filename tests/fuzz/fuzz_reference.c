@@ -58,8 +58,8 @@ static void require_written(const po_csv *csv) {
 static po_request request_of(const po_csv *csv, size_t row) {
   po_request request = po_request_default();
   for (int key = 0; key < PO_KEY_END; ++key) {
-    const po_csv_header *header = po_csv_find_header(csv, po_key_name((po_key)key));
-    const int column = po_csv_find_column(csv, po_key_name((po_key)key));
+    const po_csv_header *header = po_csv_find_header(csv, PO_KEYS[key].name);
+    const int column = po_csv_find_column(csv, PO_KEYS[key].name);
     if (header)
       po_key_set(&request, (po_key)key, header->value);
     if (column >= 0)

@@ -56,7 +56,7 @@ static void print_block(const po_block *block) {
 static const char *type_of_number(int key) {
   if (key == PO_KEY_NODES)
     return "count";
-  const char *expected = po_key_expected((po_key)key);
+  const char *expected = PO_KEYS[key].expected;
   return strstr(expected, "inf") ? "extended" : strstr(expected, "auto") ? "automatic" : "number";
 }
 
@@ -82,13 +82,13 @@ static void print_keys(void) {
     const bool number = po_key_is_number((po_key)key);
     const bool text = key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
     const bool null = text || (number && isnan(po_key_number(&usual, (po_key)key)));
-    printf("input\t%s\t%s\t\t\t\t%s\t0\t", po_key_name((po_key)key),
+    printf("input\t%s\t%s\t\t\t\t%s\t0\t", PO_KEYS[key].name,
            number ? type_of_number(key)
            : text ? "text"
                   : "word",
            null ? "if not given" : "");
     print_words(key);
-    printf("\t%s\n", OWNERS[po_key_row_of(key)->owner]);
+    printf("\t%s\n", OWNERS[PO_KEYS[key].owner]);
   }
 }
 

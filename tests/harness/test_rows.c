@@ -60,15 +60,15 @@ END_TEST
  * vary is a number with a place, or sets one. */
 START_TEST(no_cell_of_a_key_is_empty) {
   for (int key = 0; key < PO_KEY_ALL; ++key) {
-    const po_key_row *row = po_key_row_of(key);
+    const po_key_row *row = &PO_KEYS[key];
     ck_assert_msg(*row->name && *row->expected && *row->value, "key %d: an empty cell", key);
     ck_assert_int_eq(po_given_key(row->name), key);
     ck_assert_int_eq(po_key_of_name(row->name), key < PO_KEY_END ? key : -1);
-    ck_assert(*row->help || po_key_row_of(key + 1)->owner == row->owner);
+    ck_assert(*row->help || PO_KEYS[key + 1].owner == row->owner);
     ck_assert(!row->varies || row->place != PO_NO_PLACE || row->target >= 0 ||
               row->owner == PO_OWNER_SI);
     for (int other = 0; other < key; ++other)
-      ck_assert(row->place == PO_NO_PLACE || row->place != po_key_row_of(other)->place);
+      ck_assert(row->place == PO_NO_PLACE || row->place != PO_KEYS[other].place);
   }
 }
 END_TEST
@@ -77,13 +77,13 @@ END_TEST
 START_TEST(keys_with_a_dimension_have_one_in_si_units) {
   const po_units units = {.length = 1, .force = 1};
   for (int key = 0; key < PO_KEY_ALL; ++key) {
-    const po_key_row *row = po_key_row_of(key);
+    const po_key_row *row = &PO_KEYS[key];
     const int si = po_key_in_si(key);
     ck_assert_msg((row->owner != PO_OWNER_SI && row->dimension != PO_DIMENSION_NONE) == (si >= 0),
                   "%s", row->name);
     if (si < 0)
       continue;
-    const po_key_row *twin = po_key_row_of(si);
+    const po_key_row *twin = &PO_KEYS[si];
     char name[64];
     snprintf(name, sizeof name, "%s_%s", row->name, po_si_unit_of(&units, row->dimension).name);
     ck_assert_str_eq(twin->name, name);
