@@ -42,7 +42,8 @@ po_contact_gap po_contact_gap_of(const po_scene *scene, double domain, const po_
     g.gap = p->gap;
     g.end = p->node[p->n - 1];
   } else { /* rigid: the contact is bounded by that of the sphere without waves */
-    const double reach = fmax(0.0, p->approach + po_law_peak_gap(&scene->law)) + GREATEST_DOUBT;
+    const double reach =
+        fmax(0.0, p->approach + po_law_numbers_of(&scene->law)->peak_gap) + GREATEST_DOUBT;
     g.end = fmin(po_initial_gap_radius(scene, reach), scene->outer_radius);
   }
   return g;
@@ -254,7 +255,7 @@ static bool is_smeared(const po_contact_gap *g) {
 }
 
 static double radius_of_sphere(const po_contact_gap *g, double doubt) {
-  const double reach = g->approach + po_law_peak_gap(&g->scene->law) + doubt;
+  const double reach = g->approach + po_law_numbers_of(&g->scene->law)->peak_gap + doubt;
   return fmin(g->end, po_initial_gap_radius(g->scene, reach));
 }
 
@@ -268,13 +269,13 @@ static po_contact_edge estimate_smeared(const po_contact_gap *g, double doubt) {
 double po_contact_radius(const po_contact_gap *gap) {
   if (is_smeared(gap))
     return radius_of_sphere(gap, 0.0);
-  return radius_of(&(sought){.g = gap, .level = po_law_peak_gap(&gap->scene->law)});
+  return radius_of(&(sought){.g = gap, .level = po_law_numbers_of(&gap->scene->law)->peak_gap});
 }
 
 double po_contact_disc(const po_contact_gap *gap) {
   if (is_smeared(gap))
     return radius_of_sphere(gap, 0.0);
-  const sought s = {.g = gap, .level = po_law_peak_gap(&gap->scene->law)};
+  const sought s = {.g = gap, .level = po_law_numbers_of(&gap->scene->law)->peak_gap};
   double edge = radius_of(&s);
   while (edge > 0.0) {
     const double inner = next_edge(&s, edge, true);
@@ -288,7 +289,8 @@ double po_contact_disc(const po_contact_gap *gap) {
 po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_doubt *doubt) {
   if (is_smeared(gap))
     return estimate_smeared(gap, doubt->constant);
-  const sought s = {.g = gap, .doubt = doubt, .level = po_law_peak_gap(&gap->scene->law)};
+  const sought s = {
+      .g = gap, .doubt = doubt, .level = po_law_numbers_of(&gap->scene->law)->peak_gap};
   po_contact_edge e = {.radius = radius_of(&s), .other = NAN};
   e.error = fmax(0.0, farthest(&s, e.radius, &e.other) - e.radius);
   e.error = fmax(e.error, e.radius - nearest(&s, e.radius, &e.other));
@@ -341,7 +343,9 @@ po_status po_contact_annuli_fill(const po_contact_gap *gap, po_contact_annuli *a
   if (is_smeared(gap))
     return too_many();
   const po_status status = fill(gap, 0.0, &a->compressed, &a->compressed_count);
-  return status ? status : fill(gap, po_law_peak_gap(&gap->scene->law), &a->held, &a->held_count);
+  return status
+             ? status
+             : fill(gap, po_law_numbers_of(&gap->scene->law)->peak_gap, &a->held, &a->held_count);
 }
 
 po_status po_contact_profile_fill(const po_scene *scene, const po_surface *s,

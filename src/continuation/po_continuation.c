@@ -50,7 +50,7 @@ static double least_gap(const po_equilibrium *e, const double *gap) {
 
 /* Whether the law softens at every gap of a state. */
 static bool softens(const po_equilibrium *e, const double *gap) {
-  return least_gap(e, gap) > po_law_peak_gap(&e->scene->law);
+  return least_gap(e, gap) > po_law_numbers_of(&e->scene->law)->peak_gap;
 }
 
 /* The approach, eps, at which a trace may start: the first of -2, -4, -8, ... at which

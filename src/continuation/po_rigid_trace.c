@@ -86,7 +86,7 @@ po_status po_rigid_trace(const po_scene *scene, double begin,
   po_status status = PO_OK;
   rigid_tracer t = {.scene = scene, .options = options, .begin = begin, .status = &status};
   const double end = options->end;
-  const double closest = -po_law_closest(&scene->law);
+  const double closest = -po_law_numbers_of(&scene->law)->closest;
   if (!(end < closest))
     return po_fail(
         PO_BAD_INPUT,

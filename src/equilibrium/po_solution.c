@@ -197,7 +197,7 @@ double po_solution_gap(void *data, double r) {
 /* The gap less that of the greatest tension, at a radius on the panel. */
 static double beyond_peak(double r, const void *data) {
   po_solution_field field = *(const po_solution_field *)data;
-  return po_solution_gap(&field, r) - po_law_peak_gap(&field.scene->law);
+  return po_solution_gap(&field, r) - po_law_numbers_of(&field.scene->law)->peak_gap;
 }
 
 /* Finds the contact edge between two nodes on the polynomials of the panels. */
@@ -214,7 +214,7 @@ static void add_edge(po_solution *p, const po_scene *scene, double domain, size_
 /* Finds the contact edges, beginning with the outermost, since the outermost are kept. */
 static void find_edges(po_solution *p, const po_scene *scene, const po_surface *s) {
   po_moving_edges *edges = &p->edges;
-  const double peak = po_law_peak_gap(&scene->law);
+  const double peak = po_law_numbers_of(&scene->law)->peak_gap;
   edges->count = edges->all = 0;
   for (size_t j = p->panels->count * PO_TABLE_ORDER; j-- > 1;) {
     const double left = p->state[j - 1] - peak, right = p->state[j] - peak;

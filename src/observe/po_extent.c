@@ -17,7 +17,7 @@ enum { BISECTIONS = 30 };
 
 /* The same for any profile: the approach at which the load itself has that value. */
 static double end_of_load(const po_scene *scene, double push) {
-  double low = 0.0, high = -po_law_closest(&scene->law);
+  double low = 0.0, high = -po_law_numbers_of(&scene->law)->closest;
   for (int k = 0; k < BISECTIONS; ++k) {
     const double middle = 0.5 * (low + high);
     double load, rate;
@@ -54,7 +54,7 @@ double po_observe_domain(const po_scene *scene, double core) {
   const double kink = po_profile_shape(&scene->profile).kink;
   const double averaging = po_averaging_radius(scene, po_averaging_phase(scene, core));
   /* the phase of the waves at the end of the domain matters unless nothing acts beyond */
-  const bool free = !po_scene_is_wavy(scene) || isinf(po_law_far_field(&scene->law).exponent);
+  const bool free = !po_scene_is_wavy(scene) || isinf(po_law_numbers_of(&scene->law)->exponent);
   return !isnan(kink) && free ? with_kink(kink, averaging) : averaging;
 }
 

@@ -117,10 +117,10 @@ static po_status trace_rigid(const po_request *request, double farthest, po_read
             : po_observe_rigid_end(&request->scene, fmax(0.0, po_request_preload(request).load));
   reader->result->rigid = true;
   if (isfinite(request->preload.approach) &&
-      !(request->preload.approach < -po_law_closest(&request->scene.law)))
+      !(request->preload.approach < -po_law_numbers_of(&request->scene.law)->closest))
     return po_fail(PO_BAD_INPUT,
                    "preload is %g: expected less than %g, the greatest approach of rigid bodies",
-                   request->preload.approach, -po_law_closest(&request->scene.law));
+                   request->preload.approach, -po_law_numbers_of(&request->scene.law)->closest);
   reader->begun = true;
   double begin = request->approach_start;
   if (isnan(begin))

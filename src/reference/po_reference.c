@@ -42,7 +42,8 @@ static po_status find_bradley(po_quantity quantity, const po_request *request,
   if (quantity == PO_PULL_OFF_FORCE)
     number->value = 2;
   if (quantity == PO_CONTACT_RADIUS)
-    number->value = sqrt(2 * request->scene.radius * po_law_peak_gap(&request->scene.law));
+    number->value =
+        sqrt(2 * request->scene.radius * po_law_numbers_of(&request->scene.law)->peak_gap);
   return PO_OK;
 }
 

@@ -16,16 +16,18 @@ static const po_law_kind *kind_of(const po_law *law) {
   return law->kind ? law->kind : &PO_LENNARD_JONES;
 }
 
+static void derive(po_law *law) {
+  law->numbers = kind_of(law)->numbers;
+  if (kind_of(law)->derive)
+    kind_of(law)->derive(law);
+}
+
 po_law po_law_lennard_jones(void) {
   po_law law = {.kind = &PO_LENNARD_JONES};
   for (size_t k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
     law.parameter[k] = NAN;
+  derive(&law);
   return law;
-}
-
-static void derive(po_law *law) {
-  if (kind_of(law)->derive)
-    kind_of(law)->derive(law);
 }
 
 bool po_law_set(po_law *law, const char *text) {
@@ -109,27 +111,12 @@ po_law_closeness po_law_closeness_at(const po_law *law, double gap) {
   return gap > 0.0 ? kind_of(law)->closeness(law, gap) : (po_law_closeness){1.0, 0.0};
 }
 
-double po_law_peak_gap(const po_law *law) {
-  return kind_of(law)->peak_gap(law);
+const po_law_numbers *po_law_numbers_of(const po_law *law) {
+  return law->kind ? &law->numbers : &PO_LENNARD_JONES.numbers;
 }
 
-double po_law_closest(const po_law *law) {
-  return kind_of(law)->closest ? kind_of(law)->closest(law) : -1.0;
-}
-
-/* Of powers, a tenth of the distance from the singularity. */
 double po_law_expected_gap(const po_law *law, double gap) {
-  return fmax(gap, kind_of(law)->closest ? kind_of(law)->closest(law) : -0.9);
-}
-
-/* Beyond 20 a law of powers is its attractive one to a part of 21^-(n-m), 1.2e-8 for (3, 9). A
- * larger remainder is left to the polynomial of the panel to infinity. */
-double po_law_reach(const po_law *law) {
-  return kind_of(law)->reach ? kind_of(law)->reach(law) : 20.0;
-}
-
-po_law_far po_law_far_field(const po_law *law) {
-  return kind_of(law)->far_field(law);
+  return fmax(gap, po_law_numbers_of(law)->least);
 }
 
 double po_law_approach_of_push(const po_law *law, double share, double load) {

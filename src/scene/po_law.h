@@ -35,15 +35,29 @@ typedef enum { PO_LAW_PARAMETER_ROWS(PO_LAW_PARAMETER) PO_LAW_PARAMETER_COUNT } 
 #define PO_OR_LAW(law, text) " or " text
 #define PO_LAW_EXPECTED &(PO_LAW_ROWS(PO_OR_LAW))[sizeof " or " - 1]
 
-enum { PO_LAW_CONSTANTS = 3 };
-
 typedef struct po_law_kind po_law_kind;
+
+/* The numbers of a law; gaps in eps. */
+typedef struct {
+  double peak_gap; /* of the greatest tension; for Lennard-Jones 3^(1/6) - 1 (after Eq 9). It
+                      defines the edge of a contact */
+  double closest; /* the gap that no state reaches: that at which the law is singular; for the Morse
+                     law, which is not, an overlap at which its repulsion is beyond any pressure of
+                     a contact */
+  double least;   /* at which the law is evaluated: a closer gap is an error of the prediction */
+  double reach;   /* the initial gap from which on the interaction is that of the far field, which
+                     one panel to infinity carries */
+  /* The far field: the traction tends to -factor * (1 + H)^-exponent. Exponent INFINITY: it falls
+   * exponentially, and beyond the reach there is none. */
+  double factor, exponent;
+} po_law_numbers;
 
 /* A law with its parameters. One of which nothing is set is that of the paper. */
 typedef struct {
   const po_law_kind *kind;
   double parameter[PO_LAW_PARAMETER_COUNT]; /* those of other laws are not looked at */
-  double constant[PO_LAW_CONSTANTS];        /* what its kind derives from the parameters */
+  double constant;                          /* what its kind derives from the parameters */
+  po_law_numbers numbers;                   /* derived, too: see po_law_numbers_of */
 } po_law;
 
 typedef struct {
@@ -75,14 +89,14 @@ bool po_law_has(const po_law *law, po_law_parameter parameter);
 /* PO_BAD_INPUT, naming the parameter that is out of range, its value and what is expected. */
 po_status po_law_check(const po_law *law);
 
-/* Traction and slope at gap H, above po_law_closest. */
+/* Traction and slope at gap H, above the closest one. */
 po_law_value po_law_at(const po_law *law, double gap);
 
 /* The traction in twice the precision. */
 po_two po_law_traction(const po_law *law, double gap);
 
 /* The law averaged over one period of a waviness about the mean gap: the mean over phi of the law
- * at H - A cos(phi), for A < H - po_law_closest. Accuracy: 1e-13 relative
+ * at H - A cos(phi), for A < H - closest. Accuracy: 1e-13 relative
  * (tests/unit/test_scene.c). */
 po_law_value po_law_averaged(const po_law *law, double gap, double amplitude);
 
@@ -109,28 +123,10 @@ typedef struct {
 } po_law_closeness;
 po_law_closeness po_law_closeness_at(const po_law *law, double gap);
 
-/* Gap of the greatest tension; for Lennard-Jones 3^(1/6) - 1 (after Eq 9). It defines the edge of a
- * contact. */
-double po_law_peak_gap(const po_law *law);
+const po_law_numbers *po_law_numbers_of(const po_law *law);
 
-/* The gap that no state reaches: that at which the law is singular; for the Morse law, which is
- * not, an overlap at which its repulsion is beyond any pressure of a contact. */
-double po_law_closest(const po_law *law);
-
-/* A predicted gap, or the least one at which the law is evaluated: a closer gap is an error of the
- * prediction. */
+/* A predicted gap, or the least one at which the law is evaluated. */
 double po_law_expected_gap(const po_law *law, double gap);
-
-/* The initial gap, eps, from which on the interaction is that of the far field, which one panel to
- * infinity carries. */
-double po_law_reach(const po_law *law);
-
-/* The far field: the traction tends to -factor * (1 + H)^-exponent. Exponent INFINITY: it falls
- * exponentially, and beyond po_law_reach there is none. */
-typedef struct {
-  double factor, exponent;
-} po_law_far;
-po_law_far po_law_far_field(const po_law *law);
 
 /* An approach at which the repulsion pushes a rigid body, which is a paraboloid of `share` times
  * the radius R near its axis, with a load, in pi w R. */

@@ -11,25 +11,28 @@ struct po_law_kind {
   /* Checks the parameters. Status: PO_BAD_INPUT with the value and what was expected. NULL: there
    * is nothing to check. */
   po_status (*check)(const po_law *law);
-  void (*derive)(po_law *law); /* sets the constants; NULL: there are none */
+  /* Its numbers. The peak and the far field are exact, as they define the contact and the load; the
+   * other gaps bound gaps, and the factor of an exponential is not used. */
+  po_law_numbers numbers;
+  /* Sets the numbers and the constant that depend on parameters. NULL: none does. */
+  void (*derive)(po_law *law);
   /* The law, its energy and their averages: exact, to rounding. */
   po_law_value (*at)(const po_law *law, double gap);
   po_two (*traction)(const po_law *law, double gap);
   double (*energy)(const po_law *law, double gap);
   po_law_value (*averaged)(const po_law *law, double gap, double amplitude);
   double (*energy_averaged)(const po_law *law, double gap, double amplitude);
-  /* Scale and closeness only measure steps and changes; closest gap and reach bound gaps. Scale,
-   * closest gap and reach may be NULL in a law of powers of 1 + H: then the scale is 1 + H, the
-   * closest gap -1, and the reach 20. Every other law must give all three. */
+  /* Scale and closeness only measure steps and changes. NULL: the scale is 1 + H. */
   po_law_scale (*scale)(const po_law *law, double gap);
   po_law_closeness (*closeness)(const po_law *law, double gap); /* at gaps > 0 */
-  double (*peak_gap)(const po_law *law);                        /* exact: it defines the contact */
-  double (*closest)(const po_law *law); /* given: also the least gap at which it is evaluated */
-  double (*reach)(const po_law *law);
-  po_law_far (*far_field)(const po_law *law); /* exact; the factor of an exponential is not used */
   /* An estimate: where a rigid trace ends, and how large the domain is. */
   double (*approach_of_push)(const po_law *law, double share, double load);
 };
+
+/* Gaps of a law of powers of 1 + H: the least one is a tenth of the distance from the singularity.
+ * Beyond 20 it is its attractive power to a part of 21^-(n-m), 1.2e-8 for (3, 9). A larger
+ * remainder is left to the polynomial of the panel to infinity. */
+#define PO_GAPS_OF_POWERS .closest = -1.0, .least = -0.9, .reach = 20.0
 
 #define PO_LAW_KIND(law, text) extern const po_law_kind PO_##law;
 PO_LAW_ROWS(PO_LAW_KIND)

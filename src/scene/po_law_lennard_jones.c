@@ -63,16 +63,6 @@ static po_law_closeness closeness(const po_law *law, double gap) {
   return (po_law_closeness){energy * energy, 2.0 * energy * traction};
 }
 
-static double peak_gap(const po_law *law) {
-  (void)law;
-  return 0.20093695517600277; /* 3^(1/6) - 1 */
-}
-
-static po_law_far far_field(const po_law *law) {
-  (void)law;
-  return (po_law_far){8.0 / 3.0, 3.0};
-}
-
 /* The repulsive term of Eq 23, 2/(3 x^8). */
 static double approach_of_push(const po_law *law, double share, double load) {
   (void)law;
@@ -80,12 +70,13 @@ static double approach_of_push(const po_law *law, double share, double load) {
 }
 
 const po_law_kind PO_LENNARD_JONES = {.name = "lennard-jones",
+                                      .numbers = {PO_GAPS_OF_POWERS,
+                                                  .peak_gap = 0.20093695517600277, /* 3^(1/6) - 1 */
+                                                  .factor = 8.0 / 3.0, .exponent = 3.0},
                                       .at = at,
                                       .traction = traction,
                                       .energy = energy,
                                       .averaged = averaged,
                                       .energy_averaged = energy_averaged,
                                       .closeness = closeness,
-                                      .peak_gap = peak_gap,
-                                      .far_field = far_field,
                                       .approach_of_push = approach_of_push};

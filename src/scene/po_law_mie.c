@@ -16,7 +16,7 @@ static double large(const po_law *law) {
   return law->parameter[PO_MIE_N];
 }
 static double factor(const po_law *law) {
-  return law->constant[0];
+  return law->constant;
 }
 
 static po_status check(const po_law *law) {
@@ -35,7 +35,10 @@ static po_status check(const po_law *law) {
 
 static void derive(po_law *law) {
   const double m = small(law), n = large(law);
-  law->constant[0] = (m - 1.0) * (n - 1.0) / (n - m);
+  law->constant = (m - 1.0) * (n - 1.0) / (n - m);
+  law->numbers.peak_gap = po_pow(n / m, 1.0 / (n - m)) - 1.0; /* m x^m = n x^n */
+  law->numbers.factor = law->constant;
+  law->numbers.exponent = m;
 }
 
 static po_law_value at(const po_law *law, double gap) {
@@ -121,15 +124,6 @@ static po_law_closeness closeness(const po_law *law, double gap) {
   return (po_law_closeness){value, -g * value / size * factor(law) * (xm - xn)};
 }
 
-/* m x^m = n x^n */
-static double peak_gap(const po_law *law) {
-  return po_pow(large(law) / small(law), 1.0 / (large(law) - small(law))) - 1.0;
-}
-
-static po_law_far far_field(const po_law *law) {
-  return (po_law_far){factor(law), small(law)};
-}
-
 /* The repulsive part of the load of a rigid paraboloid is 2k/(n - 1) x^(n-1). */
 static double approach_of_push(const po_law *law, double share, double load) {
   const double n = large(law);
@@ -141,6 +135,7 @@ const po_law_kind PO_MIE = {.name = "mie",
                             .parameters = 2,
                             .first = PO_MIE_M,
                             .check = check,
+                            .numbers = {PO_GAPS_OF_POWERS},
                             .derive = derive,
                             .at = at,
                             .traction = traction,
@@ -148,6 +143,4 @@ const po_law_kind PO_MIE = {.name = "mie",
                             .averaged = averaged,
                             .energy_averaged = energy_averaged,
                             .closeness = closeness,
-                            .peak_gap = peak_gap,
-                            .far_field = far_field,
                             .approach_of_push = approach_of_push};

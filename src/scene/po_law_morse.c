@@ -32,8 +32,17 @@ static po_status check(const po_law *law) {
   return PO_OK;
 }
 
+/* Rigid bodies may be pressed to any overlap, but there the load grows as e^{2a approach}: beyond
+ * the closest gap it is e^{12} times that of adhesion. */
 static void derive(po_law *law) {
-  law->constant[0] = STEEPNESS_OF_RANGE_1 / steepness(law);
+  const double a = steepness(law);
+  law->constant = STEEPNESS_OF_RANGE_1 / a;
+  law->numbers = (po_law_numbers){.peak_gap = M_LN2 / a,
+                                  .closest = -DEEPEST / a,
+                                  .least = -DEEPEST / a,
+                                  .reach = FARTHEST / a,
+                                  .factor = 2.0 * a,
+                                  .exponent = INFINITY};
 }
 
 static po_law_value at(const po_law *law, double gap) {
@@ -74,7 +83,7 @@ static double energy_averaged(const po_law *law, double gap, double amplitude) {
 /* The range plus the gap; of overlapping surfaces, which no singularity holds apart, the range
  * times an exponential that goes on smoothly. */
 static po_law_scale scale(const po_law *law, double gap) {
-  const double range = law->constant[0];
+  const double range = law->constant;
   if (gap >= 0.0)
     return (po_law_scale){range + gap, 1.0};
   const double e = po_exp(gap / range);
@@ -84,24 +93,6 @@ static po_law_scale scale(const po_law *law, double gap) {
 static po_law_closeness closeness(const po_law *law, double gap) {
   const double a = steepness(law), e = po_exp(-a * gap);
   return (po_law_closeness){e * (2.0 - e), -2.0 * a * e * (1.0 - e)};
-}
-
-static double peak_gap(const po_law *law) {
-  return M_LN2 / steepness(law);
-}
-
-/* Rigid bodies may be pressed to any overlap, but there the load grows as e^{2a approach}: beyond
- * this overlap it is e^{12} times that of adhesion. */
-static double closest(const po_law *law) {
-  return -DEEPEST / steepness(law);
-}
-
-static double reach(const po_law *law) {
-  return FARTHEST / steepness(law);
-}
-
-static po_law_far far_field(const po_law *law) {
-  return (po_law_far){2.0 * steepness(law), INFINITY};
 }
 
 /* The repulsive part of the load of a rigid paraboloid is 2 e^{-2aH}. */
@@ -121,8 +112,4 @@ const po_law_kind PO_MORSE = {.name = "morse",
                               .energy_averaged = energy_averaged,
                               .scale = scale,
                               .closeness = closeness,
-                              .peak_gap = peak_gap,
-                              .closest = closest,
-                              .reach = reach,
-                              .far_field = far_field,
                               .approach_of_push = approach_of_push};

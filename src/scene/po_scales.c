@@ -35,9 +35,10 @@ static double rigid_load(const po_scene *scene, double approach, double end) {
 }
 
 static double rigid_pull_off(const po_scene *scene) {
-  const double end =
-      fmin(scene->outer_radius, po_initial_gap_radius(scene, po_law_reach(&scene->law)));
-  const double near = -po_law_peak_gap(&scene->law), far = -0.5 * po_law_closest(&scene->law);
+  const double end = fmin(scene->outer_radius,
+                          po_initial_gap_radius(scene, po_law_numbers_of(&scene->law)->reach));
+  const double near = -po_law_numbers_of(&scene->law)->peak_gap,
+               far = -0.5 * po_law_numbers_of(&scene->law)->closest;
   double least = 0.0;
   for (int k = 0; k < APPROACHES; ++k)
     least = fmin(least, rigid_load(scene, near + (far - near) * k / (APPROACHES - 1), end));
@@ -145,13 +146,13 @@ double po_averaging_phase(const po_scene *scene, double r) {
 
 /* The undeformed gap g = r^2/(2R) from which on one wave on a sphere may be averaged. */
 static double averaging_gap(const po_scene *scene) {
-  const po_law_far far = po_law_far_field(&scene->law);
-  if (isinf(far.exponent))
-    return po_law_reach(&scene->law);
+  const po_law_numbers *far = po_law_numbers_of(&scene->law);
+  if (isinf(far->exponent))
+    return po_law_numbers_of(&scene->law)->reach;
   /* The integrand of Eq 17 is (2k/R) g^-m r, k g^-m the far field: its slope is at most
    * (2k/R)(2m + 1) g^-m, of which a part of m A/g oscillates when A is small against g. */
-  const double per_2pi = scene->wavelength / (2.0 * M_PI), m = far.exponent;
-  const double scale = (2.0 * m + 1.0) * 2.0 * far.factor / scene->radius * per_2pi * per_2pi;
+  const double per_2pi = scene->wavelength / (2.0 * M_PI), m = far->exponent;
+  const double scale = (2.0 * m + 1.0) * 2.0 * far->factor / scene->radius * per_2pi * per_2pi;
   /* From where on scale min(1, m A/g) < loss g^m. */
   const double power = scale / AVERAGING_LOSS;
   return fmin(po_pow(power, 1.0 / m), po_pow(m * scene->amplitude * power, 1.0 / (m + 1.0)));
@@ -159,9 +160,9 @@ static double averaging_gap(const po_scene *scene) {
 
 /* Bound of the error of the load if all waves are averaged beyond r. */
 static double averaging_error(const po_scene *scene, double r) {
-  const po_law_far far = po_law_far_field(&scene->law);
-  const double gap = po_initial_gap_beyond(scene, r), m = far.exponent;
-  const double integrand = 2.0 / scene->radius * far.factor * po_pow(gap, -m) * r;
+  const po_law_numbers *far = po_law_numbers_of(&scene->law);
+  const double gap = po_initial_gap_beyond(scene, r), m = far->exponent;
+  const double integrand = 2.0 / scene->radius * far->factor * po_pow(gap, -m) * r;
   const double slope = integrand * (m * po_profile_shape(&scene->profile).growth + 1.0) / r;
   const po_wave main = main_wave(scene);
   double error = 0.0;
@@ -180,8 +181,8 @@ static const double LARGER = 1.05;
 static double end_of_waves(const po_scene *scene, double from) {
   if (po_profile_is_sphere(&scene->profile) && po_scene_waves(scene) == 1)
     return sqrt(2.0 * scene->radius * averaging_gap(scene));
-  if (isinf(po_law_far_field(&scene->law).exponent))
-    return po_initial_gap_radius(scene, po_law_reach(&scene->law));
+  if (isinf(po_law_numbers_of(&scene->law)->exponent))
+    return po_initial_gap_radius(scene, po_law_numbers_of(&scene->law)->reach);
   const double allowed = AVERAGING_LOSS * po_scene_scales(scene).load;
   double r = from;
   while (averaging_error(scene, r) > allowed)

@@ -24,20 +24,20 @@ static po_status require(bool holds, const char *key, double value, const char *
 static const double LEAST_EXPONENT = 2.0, SLOWEST_DECAY = 3.0 - 1e-9;
 
 static po_status check_far_field(const po_scene *scene) {
-  const po_law_far far = po_law_far_field(&scene->law);
+  const po_law_numbers *far = po_law_numbers_of(&scene->law);
   const double growth = po_profile_shape(&scene->profile).growth;
-  if (isfinite(scene->outer_radius) || isinf(far.exponent))
+  if (isfinite(scene->outer_radius) || isinf(far->exponent))
     return PO_OK;
-  if (!(far.exponent > LEAST_EXPONENT))
+  if (!(far->exponent > LEAST_EXPONENT))
     return po_fail(PO_BAD_INPUT,
                    "mie_m is %g: the far field of an unbounded surface falls too slowly; "
                    "expected more than %g, or an outer radius",
-                   far.exponent, LEAST_EXPONENT);
-  if (!(far.exponent * growth >= SLOWEST_DECAY))
+                   far->exponent, LEAST_EXPONENT);
+  if (!(far->exponent * growth >= SLOWEST_DECAY))
     return po_fail(PO_BAD_INPUT,
                    "the profile grows as r^%g far out, and the law falls as gap^-%g: the far field "
                    "of an unbounded surface falls too slowly; expected an outer radius%s",
-                   growth, far.exponent,
+                   growth, far->exponent,
                    po_profile_is_table(&scene->profile)
                        ? ", or smooth if the rows of the table have noise"
                        : "");
@@ -154,7 +154,7 @@ bool po_scene_is_of_paper(const po_scene *scene) {
 }
 
 bool po_scene_has_infinite_energy(const po_scene *scene) {
-  const double fall = po_law_far_field(&scene->law).exponent - 1.0;
+  const double fall = po_law_numbers_of(&scene->law)->exponent - 1.0;
   return isinf(scene->outer_radius) && fall * po_profile_shape(&scene->profile).growth <= 2.0;
 }
 

@@ -153,7 +153,7 @@ static po_status solve(const po_scene *scene, double tension, double a, const gu
 }
 
 double po_maugis_matched_tension(const po_scene *scene) {
-  return -po_law_at(&scene->law, po_law_peak_gap(&scene->law)).traction;
+  return -po_law_at(&scene->law, po_law_numbers_of(&scene->law)->peak_gap).traction;
 }
 
 po_status po_maugis_at(const po_scene *scene, double tension, double contact_radius,

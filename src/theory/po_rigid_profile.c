@@ -137,8 +137,9 @@ static po_status integrate(integrand *q, double *sum) {
   const po_scene *scene = q->scene;
   const po_law *law = &scene->law;
   const double first = po_initial_gap_radius(scene, po_law_size(law, -q->approach));
-  const bool has_far_field = isfinite(po_law_far_field(law).exponent);
-  const double gap = (has_far_field ? FARTHEST_GAP : po_law_reach(law)) + fmax(0.0, q->approach);
+  const bool has_far_field = isfinite(po_law_numbers_of(law)->exponent);
+  const double gap =
+      (has_far_field ? FARTHEST_GAP : po_law_numbers_of(law)->reach) + fmax(0.0, q->approach);
   const double whole =
       po_averaging_radius(scene, po_averaging_phase(scene, po_initial_gap_radius(scene, gap)));
   q->begin = fmin(whole, scene->outer_radius);
@@ -179,9 +180,9 @@ po_status po_rigid_profile_quadrature(const po_scene *scene, double approach, do
 po_status po_rigid_profile_load(const po_scene *scene, double approach, double *load,
                                 double *rate) {
   *load = *rate = NAN;
-  if (!(approach < -po_law_closest(&scene->law)))
+  if (!(approach < -po_law_numbers_of(&scene->law)->closest))
     return po_fail(PO_BAD_INPUT, "the approach is %g: expected a number < %g", approach,
-                   -po_law_closest(&scene->law));
+                   -po_law_numbers_of(&scene->law)->closest);
   return closed_load(scene, approach, load, rate)
              ? PO_OK
              : po_rigid_profile_quadrature(scene, approach, load, rate);
@@ -208,8 +209,8 @@ enum { SCAN_POINTS = 200 };
 static const double NEAREST = 1e-3, SCAN_BEGIN = 1.01;
 
 po_status po_rigid_profile_pull_off(const po_scene *scene, po_rigid_pull_off *pull_off) {
-  const double closest = -po_law_closest(&scene->law),
-               begin = closest + SCAN_BEGIN * po_law_peak_gap(&scene->law);
+  const double closest = -po_law_numbers_of(&scene->law)->closest,
+               begin = closest + SCAN_BEGIN * po_law_numbers_of(&scene->law)->peak_gap;
   /* the distance from the closest approach, which falls by one factor */
   const double factor = po_pow(NEAREST * closest / begin, 1.0 / SCAN_POINTS);
   *pull_off = (po_rigid_pull_off){NAN, NAN};

@@ -45,14 +45,14 @@ START_TEST(law_is_normalised) {
   ck_assert_double_eq_tol(po_law_at(&law, 0.0).traction, 0.0, 1e-15);
   ck_assert_double_eq_tol(po_law_energy(&law, 0.0), -1.0, 1e-15);
   ck_assert_double_eq_tol(po_law_energy(&law, 1e9), 0.0, 1e-12);
-  const double peak = po_law_peak_gap(&law);
+  const double peak = po_law_numbers_of(&law)->peak_gap;
   ck_assert_double_eq_tol(po_law_at(&law, peak).slope, 0.0, 1e-13);
   ck_assert_double_lt(po_law_at(&law, peak).traction, po_law_at(&law, 1.01 * peak).traction);
   ck_assert_double_lt(po_law_at(&law, peak).traction, po_law_at(&law, 0.99 * peak).traction);
   const double far = 1e3;
-  const po_law_far field = po_law_far_field(&law);
+  const po_law_numbers *field = po_law_numbers_of(&law);
   const double expected =
-      isinf(field.exponent) ? 0.0 : -field.factor * pow(1.0 + far, -field.exponent);
+      isinf(field->exponent) ? 0.0 : -field->factor * pow(1.0 + far, -field->exponent);
   ck_assert_double_eq_tol(po_law_at(&law, far).traction, expected, 1e-6 * fabs(expected) + 1e-30);
   ck_assert_double_eq(po_law_closeness_at(&law, -0.01).value, 1.0);
   ck_assert_double_eq_tol(po_law_closeness_at(&law, 1e-9).value, 1.0, 1e-12);
@@ -90,9 +90,10 @@ START_TEST(lennard_jones_is_the_law_of_the_paper) {
     ck_assert_double_eq_tol(po_law_at(&mie, GAPS[k]).slope, po_law_at(&law, GAPS[k]).slope,
                             1e-13 * 24.0 * size / h);
   }
-  ck_assert_double_eq_tol(po_law_peak_gap(&law), pow(3.0, 1.0 / 6.0) - 1.0, 1e-15);
-  ck_assert_double_eq_tol(po_law_peak_gap(&mie), po_law_peak_gap(&law), 1e-15);
-  ck_assert_double_eq_tol(po_law_at(&law, po_law_peak_gap(&law)).traction,
+  ck_assert_double_eq_tol(po_law_numbers_of(&law)->peak_gap, pow(3.0, 1.0 / 6.0) - 1.0, 1e-15);
+  ck_assert_double_eq_tol(po_law_numbers_of(&mie)->peak_gap, po_law_numbers_of(&law)->peak_gap,
+                          1e-15);
+  ck_assert_double_eq_tol(po_law_at(&law, po_law_numbers_of(&law)->peak_gap).traction,
                           -16.0 / (9.0 * sqrt(3.0)), 1e-15);
   ck_assert_str_eq(po_law_name(&unset), "lennard-jones");
 }
