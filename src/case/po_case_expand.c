@@ -92,12 +92,10 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
   return status ? status : po_case_axis_check(NULL, axis, where, yaml);
 }
 
-/* Reports whether the item varies alpha or amplitude_ratio. A sweep may contain one of them:
- * amplitude and wavelength would have to be computed from both at once. */
-static bool has_waviness(const po_sweep *sweep) {
-  const int key = sweep->axis.key ? po_key_of_name(sweep->axis.key) : -1;
-  return key == PO_KEY_ALPHA || key == PO_KEY_AMPLITUDE_RATIO;
-}
+/* A case may vary one of these groups: amplitude and wavelength would have to be computed from both
+ * at once. */
+static const po_keys WAVINESS = UINT64_C(1) << PO_KEY_ALPHA | UINT64_C(1) << PO_KEY_AMPLITUDE_RATIO;
+static const char ONE_GROUP[] = "one of alpha and amplitude_ratio";
 
 static po_status check_sweep(po_case_file *file, const po_yaml *yaml) {
   for (unsigned i = 0; i < file->sweep_count; ++i) {
@@ -108,9 +106,8 @@ static po_status check_sweep(po_case_file *file, const po_yaml *yaml) {
     if (status)
       return status;
     find_names(sweep);
-    for (unsigned k = 0; k < i; ++k)
-      if (has_waviness(sweep) && has_waviness(&file->sweep[k]))
-        return po_fields_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
+    if (sweep->named & WAVINESS && file->swept & WAVINESS)
+      return po_fields_refuse(yaml, ONE_GROUP, "%s.key", where);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
       const bool twice = po_keys_have(file->swept, key);
       if (po_keys_have(sweep->varied, key) && (twice || file->scene.values[key]))
@@ -174,11 +171,13 @@ static po_status parse_key(po_case_file *file, unsigned index, const char *where
   if (key < 0 || !is_quantity(key))
     return po_case_refuse_key(yaml, "a key of the scene whose value is a number, and not a count",
                               is_quantity, where);
-  for (unsigned k = 0; k < index; ++k)
-    if (strcmp(file->sample->keys[k].key, draw->key) == 0)
-      return po_fields_refuse(yaml, "each key drawn once", "%s.key", where);
-  if (file->scene.values[key] || po_keys_have(file->swept, key))
+  const po_key target = po_key_target(key);
+  if (po_keys_have(file->drawn, target))
+    return po_fields_refuse(yaml, "each key drawn once", "%s.key", where);
+  if (file->scene.values[key] || file->scene.values[target] || po_keys_have(file->swept, target))
     return po_fields_refuse(yaml, "a key that neither scene nor sweep gives", "%s.key", where);
+  if (varied_by(key) & WAVINESS && (file->swept | file->drawn) & WAVINESS)
+    return po_fields_refuse(yaml, ONE_GROUP, "%s.key", where);
   draw->drawn = key;
   file->drawn |= varied_by(key);
   return PO_OK;

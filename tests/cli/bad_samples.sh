@@ -57,6 +57,16 @@ spoilt 's/key: tabor/key: colour/' \
   '11: sample.keys[[]1[]].key is colour: expected a key of the scene whose value is a number, and not a count: tabor, *, outer_radius, mie_m, *power_c, *'
 spoilt 's/key: radius/key: tabor/' \
   '12: sample.keys[[]2[]].key is tabor: expected each key drawn once'
+# A group and the key that it sets, or both groups of the waviness: the scene had other values than its label said, and with
+# both groups it was smooth.
+spoilt 's/key: amplitude, .*}/key: alpha, from: 0.1, to: 1}/' \
+  '14: sample.keys[[]4[]].key is alpha: expected each key drawn once'
+spoilt 's/key: wavelength, .*}/key: alpha, from: 0.1, to: 1}/; s/key: amplitude, .*}/key: amplitude_ratio, from: 0.01, to: 0.1}/' \
+  '14: sample.keys[[]4[]].key is amplitude_ratio: expected one of alpha and amplitude_ratio'
+spoilt 's/outer_radius: inf/&\n  wavelength: 20/; s/key: wavelength, .*}/key: alpha, from: 0.1, to: 1}/' \
+  '14: sample.keys[[]3[]].key is alpha: expected a key that neither scene nor sweep gives'
+spoilt 's/^sample/sweep: [{key: amplitude_ratio, values: [0.05]}]\n&/; s/key: wavelength, .*}/key: alpha, from: 0.1, to: 1}/' \
+  '14: sample.keys[[]3[]].key is alpha: expected one of alpha and amplitude_ratio'
 spoilt 's/outer_radius: inf/&\n  tabor: 1/' \
   '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep gives'
 spoilt 's/^sample/sweep: [{key: tabor, values: [1]}]\n&/' \
