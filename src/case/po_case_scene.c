@@ -243,6 +243,11 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
              PO_KEYS[key].expected);
     return po_fields_refuse(yaml, expected, "scene.%s", PO_KEYS[key].name);
   }
+  if (po_keys_have(file->varied, PO_KEY_ALPHA) && !file->scene.values[PO_KEY_AMPLITUDE] &&
+      !po_keys_have(file->varied, PO_KEY_AMPLITUDE))
+    return po_fields_refuse(yaml,
+                            "a number >= 0, here, in the sweep or in the sample, as alpha varies",
+                            "scene.amplitude");
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->sweep_count; ++i)
     status = check_settings(&file->sweep[i], i + 1, yaml);

@@ -67,6 +67,9 @@ spoilt 's/outer_radius: inf/&\n  wavelength: 20/; s/key: wavelength, .*}/key: al
   '14: sample.keys[[]3[]].key is alpha: expected a key that neither scene nor sweep gives'
 spoilt 's/^sample/sweep: [{key: amplitude_ratio, values: [0.05]}]\n&/; s/key: wavelength, .*}/key: alpha, from: 0.1, to: 1}/' \
   '14: sample.keys[[]3[]].key is alpha: expected one of alpha and amplitude_ratio'
+# Without an amplitude, alpha has no effect: every scene was the same smooth sphere.
+spoilt 's/key: wavelength, .*}/key: alpha, from: 0.1, to: 1}/; /key: amplitude/d' \
+  '4: scene.amplitude is missing: expected a number >= 0, here, in the sweep or in the sample, as alpha varies'
 spoilt 's/outer_radius: inf/&\n  tabor: 1/' \
   '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep gives'
 spoilt 's/^sample/sweep: [{key: tabor, values: [1]}]\n&/' \
