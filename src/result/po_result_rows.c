@@ -165,10 +165,6 @@ static const po_row UNCERTAINTY[] = {
 };
 static const po_block UNCERTAINTY_ROWS = BLOCK("uncertainty", UNCERTAINTY, NULL);
 
-static bool lacks_uncertainty(const void *of) {
-  return ((const S *)of)->uncertain_count == 0;
-}
-
 static const char *const CAUSES[] = {
   [PO_END_NONE] = "none", [PO_END_COMPRESSED] = "compressed", [PO_END_PRELOAD] = "preload",
   [PO_END_COMPLETE] = "complete", [PO_END_SEARCHED] = "searched", [PO_END_ASKED] = "approach_end",
@@ -216,10 +212,6 @@ static bool lacks_diagnostics(const void *of) {
   return !((const S *)of)->diagnostics.states && !((const S *)of)->diagnostics.moved.solves;
 }
 
-static bool lacks_theories(const void *of) {
-  return ((const S *)of)->theory_count == 0;
-}
-
 #define UNWANTED "absent unless wanted, or if the solve failed"
 static const po_row RESULT[] = {
   STATUS("status", status,
@@ -245,7 +237,7 @@ static const po_row RESULT[] = {
 };
 
 static const po_row WANTED[] = {
-  {.key = "uncertainty", .type = PO_ROW_PART, .block = &UNCERTAINTY_ROWS, .omitted = true, .absent = lacks_uncertainty,
+  {.key = "uncertainty", .type = PO_ROW_PART, .block = &UNCERTAINTY_ROWS, .omitted = true, .count = AT(size_t, uncertain_count),
    TEXTS("", "absent without uncertain inputs", "standard uncertainty of the pull-off force by that of the inputs; it has no part in `error_estimate`")},
   {.key = "hysteresis", .type = PO_ROW_PART, .block = &PO_HYSTERESIS_ROWS, .omitted = true,
    .present = AT(bool, has_hysteresis), TEXTS("", UNWANTED, "loading and unloading")},
@@ -255,7 +247,7 @@ static const po_row WANTED[] = {
    .offset = offsetof(S, diagnostics), .absent = lacks_diagnostics,
    TEXTS("", "absent unless wanted", "how far the numbers can be relied on")},
   {.key = "theories", .type = PO_ROW_LIST, .block = &PO_THEORIES_ROWS, .omitted = true,
-   .offset = offsetof(S, theories), .count = AT(size_t, theory_count), .absent = lacks_theories,
+   .offset = offsetof(S, theories), .count = AT(size_t, theory_count),
    TEXTS("", UNWANTED, "what the theories say about the pull-off force, one row a theory")},
 };
 const po_block PO_RESULT_ROWS = BLOCK("result", RESULT, NULL);

@@ -62,6 +62,7 @@ void po_row_put(const po_row *row, void *owner, double value) {
 
 bool po_row_is_absent(const po_row *row, const void *owner) {
   return (row->present && !*(const bool *)((const char *)owner + row->present)) ||
+         (row->omitted && row->count && po_row_items(row, owner) == 0) ||
          (row->absent && row->absent(owner));
 }
 

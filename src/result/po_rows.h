@@ -37,7 +37,8 @@ typedef struct {
   po_row_type type;
   po_dimension dimension;
   size_t offset, size; /* of the member */
-  size_t count;        /* of a list: offset of its number of items */
+  size_t count;        /* of a list, and of a part that has one: offset of its number of items. One
+                          that is omitted is absent without items */
   size_t present;      /* of an optional part: offset of the bool that says whether it is there */
   const po_block *block;
   const char *const *names; /* of a word; ends with NULL */
