@@ -7,7 +7,7 @@
 
 // clang-format off
 #define LOOP "hysteresis.displacement_control."
-static const po_quantity_row QUANTITIES[PO_QUANTITY_COUNT] = {
+const po_quantity_row PO_QUANTITIES[PO_QUANTITY_COUNT] = {
   [PO_PULL_OFF_FORCE] = {"pull_off_force", "pull_off.force", "force", PO_OF_PULL_OFF},
   [PO_PULL_OFF_APPROACH] = {"pull_off_approach", "pull_off.approach", "approach", PO_OF_PULL_OFF},
   [PO_CONTACT_RADIUS] = {"contact_radius", "pull_off.contact_radius", "contact_radius", PO_OF_PULL_OFF},
@@ -31,19 +31,15 @@ static const po_quantity_row QUANTITIES[PO_QUANTITY_COUNT] = {
 };
 // clang-format on
 
-const po_quantity_row *po_quantity_of(po_quantity quantity) {
-  return &QUANTITIES[quantity];
-}
-
 int po_quantity_of_name(const char *name) {
   int quantity = 0;
-  while (quantity < PO_QUANTITY_COUNT && strcmp(name, QUANTITIES[quantity].name) != 0)
+  while (quantity < PO_QUANTITY_COUNT && strcmp(name, PO_QUANTITIES[quantity].name) != 0)
     ++quantity;
   return quantity;
 }
 
 bool po_quantity_is(po_quantity quantity, po_quantity_family family) {
-  return QUANTITIES[quantity].family == family;
+  return PO_QUANTITIES[quantity].family == family;
 }
 
 bool po_quantity_is_steps(po_quantity quantity) {

@@ -121,7 +121,7 @@ typedef struct {
   const char *name, *path, *column;
   po_quantity_family family;
 } po_quantity_row;
-const po_quantity_row *po_quantity_of(po_quantity quantity);
+extern const po_quantity_row PO_QUANTITIES[PO_QUANTITY_COUNT];
 
 bool po_quantity_is(po_quantity quantity, po_quantity_family family);
 /* Reports whether a quantity is a list of jumps or steps. */

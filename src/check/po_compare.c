@@ -16,20 +16,20 @@ static const po_reference_number UNKNOWN = {(double)NAN, (double)NAN};
 /* Reports whether a quantity is a single number in the reference. Pins contain the number of folds;
  * for other references it is the number of listed folds over the common range. */
 static bool is_single(po_quantity quantity, const po_reference *reference) {
-  return *po_quantity_of(quantity)->path &&
+  return *PO_QUANTITIES[quantity].path &&
          (quantity != PO_FOLD_COUNT || reference->type == PO_REFERENCE_PINS);
 }
 
 double po_compare_obtained(po_quantity quantity, const po_result *result) {
   if (result->status != PO_OK || (quantity != PO_FOLD_COUNT && !result->has_pull_off))
     return (double)NAN;
-  return po_block_number(&PO_ALL_ROWS, result, po_quantity_of(quantity)->path);
+  return po_block_number(&PO_ALL_ROWS, result, PO_QUANTITIES[quantity].path);
 }
 
 /* Returned: the value of a quantity of the pull-off in the trace, with its estimated error as the
  * uncertainty. */
 static po_reference_number traced_number(const po_compare_input *c) {
-  const char *path = strchr(po_quantity_of(c->check->quantity)->path, '.') + 1;
+  const char *path = strchr(PO_QUANTITIES[c->check->quantity].path, '.') + 1;
   const po_row *row = po_block_find(&PO_PULL_OFF_ROWS, NULL, path).row;
   return (po_reference_number){po_compare_obtained(c->check->quantity, c->trace),
                                po_block_number(&PO_PULL_OFF_ROWS, c->trace, row->error)};
@@ -47,7 +47,7 @@ static po_status compare_single(const po_compare_input *c) {
   if (status && status != PO_NOT_FOUND)
     return status;
   po_check_result *item =
-      po_compare_add(c, po_quantity_of(quantity)->name, "", po_compare_obtained(quantity, result),
+      po_compare_add(c, PO_QUANTITIES[quantity].name, "", po_compare_obtained(quantity, result),
                      status ? UNKNOWN : expected);
   if (!item)
     return PO_NO_MEMORY;

@@ -45,7 +45,7 @@ static po_status add_special_points(pin_list *list, size_t point, po_quantity qu
   const po_special_point *marks = folds ? result->folds : result->extrema;
   const size_t count = folds ? result->fold_count : result->extremum_count;
   char name[PO_PIN_NAME_LENGTH];
-  snprintf(name, sizeof name, "%s/count", po_quantity_of(quantity)->name);
+  snprintf(name, sizeof name, "%s/count", PO_QUANTITIES[quantity].name);
   po_status status = add(list, point, name, solved ? (double)count : (double)NAN);
   for (size_t i = 0; !status && solved && i < count; ++i)
     for (int load = 0; !status && load < 2; ++load) {
@@ -76,7 +76,7 @@ static po_status add_check(const po_case_run *run, const po_check *check, size_t
     return add_work(list, point, result);
   if (check->quantity == PO_FOLDS || check->quantity == PO_EXTREMA)
     return add_special_points(list, point, check->quantity, result);
-  return add(list, point, po_quantity_of(check->quantity)->name,
+  return add(list, point, PO_QUANTITIES[check->quantity].name,
              po_compare_obtained(check->quantity, result));
 }
 

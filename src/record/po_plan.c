@@ -84,7 +84,7 @@ static void decide(po_plan *plan) {
   for (unsigned i = 0; (check = po_case_check(kase->file, i)) != NULL; ++i) {
     if (check->quantity == PO_CURVE && plan->references[i].type != PO_REFERENCE_ABSENT)
       plan->want |= PO_WANT_CURVE;
-    plan->want |= WANTS[po_quantity_of(check->quantity)->family];
+    plan->want |= WANTS[PO_QUANTITIES[check->quantity].family];
   }
   if (plan->solver) {
     const unsigned asked = po_plan_asked(plan);

@@ -31,7 +31,7 @@ void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TE
 
 void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size_t index, bool load,
                                 char name[PO_PIN_NAME_LENGTH]) {
-  snprintf(name, PO_PIN_NAME_LENGTH, "%s/%s-%zu/%s", po_quantity_of(quantity)->name,
+  snprintf(name, PO_PIN_NAME_LENGTH, "%s/%s-%zu/%s", PO_QUANTITIES[quantity].name,
            PO_SPECIAL_KINDS[kind], index + 1, load ? "load" : "approach");
 }
 

@@ -169,7 +169,7 @@ static po_status find_single(const po_reference *reference, po_quantity quantity
     return PO_NOT_FOUND;
   return quantity == PO_CONTACT_RADIUS
              ? contact_radius_of(reference, at, request, number)
-             : po_reference_cell(reference, at, po_quantity_of(quantity)->column, number);
+             : po_reference_cell(reference, at, PO_QUANTITIES[quantity].column, number);
 }
 
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,
@@ -182,7 +182,7 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
     return PO_OK;
   case PO_REFERENCE_PINS:
     number->uncertainty = 0;
-    return po_pins_value(reference, po_quantity_of(quantity)->name, request, &number->value);
+    return po_pins_value(reference, PO_QUANTITIES[quantity].name, request, &number->value);
   default:
     return find_single(reference, quantity, request, number);
   }
@@ -207,14 +207,14 @@ static po_status find_special_point(const po_reference *pins, po_quantity quanti
       return status;
   }
   return po_fail(PO_CANNOT_READ, "%s: special point %zu of the %s of a scene is missing",
-                 pins->shown.text, index + 1, po_quantity_of(quantity)->name);
+                 pins->shown.text, index + 1, PO_QUANTITIES[quantity].name);
 }
 
 static po_status pins_points(const po_reference *pins, po_quantity quantity,
                              const po_request *request, po_special_point **points, size_t *count) {
   char name[PO_PIN_NAME_LENGTH];
   double number = 0;
-  snprintf(name, sizeof name, "%s/count", po_quantity_of(quantity)->name);
+  snprintf(name, sizeof name, "%s/count", PO_QUANTITIES[quantity].name);
   po_status status = po_pins_value(pins, name, request, &number);
   if (status)
     return status;

@@ -131,7 +131,7 @@ static po_status compare_share(po_case_run *run, const po_check *check,
                               .reference = reference,
                               .check_results = &run->check_results};
   po_check_result *item =
-      po_compare_add(&c, po_quantity_of(check->quantity)->name, "",
+      po_compare_add(&c, PO_QUANTITIES[check->quantity].name, "",
                      (double)solved / (double)concerned, (po_reference_number){1, (double)NAN});
   char *id = po_copy_text("solved_share/every_scene");
   if (!item || !id) {

@@ -47,7 +47,7 @@ static json_t *want_json(unsigned want) {
   json_t *array = po_json_empty_array();
   for (int quantity = 0; quantity < PO_QUANTITY_COUNT; ++quantity)
     if (want & (1U << quantity))
-      po_json_append(&array, po_json_text(po_quantity_of((po_quantity)quantity)->name));
+      po_json_append(&array, po_json_text(PO_QUANTITIES[quantity].name));
   return array;
 }
 
