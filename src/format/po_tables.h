@@ -12,11 +12,12 @@
 typedef enum { PO_PROFILE_TABLE, PO_CURVE_TABLE, PO_STAIRCASE_TABLE } po_table;
 
 /* Writes a table. The branch has the columns position, approach, load, energy, contact_radius,
- * approach_rate, load_rate and unstable_modes, the profile at result->profile_approach radius, gap
- * and traction; of a request in SI units without those in the metric of the solver, and with the
- * unit at the end of each name: approach_nm. The headers state the scene, the units and the
- * checksum of all other lines. The path "-" is standard output. Returned: digest, that checksum,
- * unless it is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+ * approach_rate, load_rate, unstable_modes and energy_error, with a spring unstable_modes_at_base;
+ * the profile at result->profile_approach radius, gap and traction; a step of a staircase where it
+ * begins and ends, and its pull-off. Tables of a request in SI units have no columns in the metric
+ * of the solver, and the unit at the end of each name: approach_nm. The headers state the scene,
+ * the units and the checksum of all other lines. The path "-" is standard output. Returned: digest,
+ * that checksum, unless it is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_tables_write(po_table table, const char *path, const po_request *request,
                           const po_result *result, char *digest);
 
