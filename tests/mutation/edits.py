@@ -165,6 +165,7 @@ class Tests:
         known = json.loads(said.stdout)
         self.programs = {os.path.relpath(name, build.folder) for target in known["targets"]
                          if target["type"] == "executable" for name in target["filename"]}
+        self.folders = {os.path.dirname(name) for name in self.programs}  # a test that is given one reads what is built there
         self.tests = {}
         for test in known["tests"]:
             suite = {word.rpartition(":")[2] for word in test["suite"]}
@@ -186,7 +187,7 @@ class Tests:
             if self.program_of(word):
                 words.append(programs[self.program_of(word)])
             elif os.path.isabs(word) and inside.startswith(self.build.folder + os.sep) and not os.path.isfile(inside) \
-                    and os.pardir not in word.split(os.sep):
+                    and os.pardir not in word.split(os.sep) and os.path.relpath(inside, self.build.folder) not in self.folders:
                 words.append(os.path.join(place, os.path.relpath(inside, self.build.folder)))
             else:
                 words.append(inside if os.sep in word and os.path.exists(inside) else word)
