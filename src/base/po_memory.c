@@ -45,6 +45,33 @@ void *po_allocate(size_t count, size_t size) {
   return memory ? memset(memory, 0, count * size) : NULL;
 }
 
+/* Each array follows the address of the one that was allocated before, on a cache line of its own.
+ */
+void *po_arrays_reserve(po_arrays *arrays, size_t count, size_t size) {
+  const size_t before = CACHE_LINE / size + 1;
+  void **block = po_reserve(count < SIZE_MAX - before ? count + before : SIZE_MAX, size);
+  if (!block) {
+    arrays->ran_out = true;
+    return NULL;
+  }
+  *block = arrays->last;
+  arrays->last = block;
+  return (char *)block + CACHE_LINE;
+}
+
+void *po_arrays_allocate(po_arrays *arrays, size_t count, size_t size) {
+  void *array = po_arrays_reserve(arrays, count, size);
+  return array ? memset(array, 0, count * size) : NULL;
+}
+
+void po_arrays_free(po_arrays *arrays) {
+  for (void **block = arrays->last, **before; block; block = before) {
+    before = *block;
+    free(block);
+  }
+  *arrays = (po_arrays){0};
+}
+
 void *po_resize(void *array, size_t count, size_t size) {
   if (size && count > SIZE_MAX / size) {
     po_fail(PO_NO_MEMORY, "out of memory: %zu objects of %zu bytes are more than can be addressed",

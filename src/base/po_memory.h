@@ -20,6 +20,20 @@ void *po_reserve(size_t count, size_t size);
  * *room = 0, if memory runs out. */
 void *po_reserve_matrix(void *matrix, size_t *room, size_t n, size_t size);
 
+/* The arrays of an object, which are freed together. Begins as {0}. */
+typedef struct {
+  void *last;
+  bool ran_out; /* an allocation failed since the arrays were freed last */
+} po_arrays;
+
+/* As po_allocate and po_reserve, but the memory belongs to the arrays, and free() must not be
+ * called. */
+void *po_arrays_allocate(po_arrays *arrays, size_t count, size_t size);
+void *po_arrays_reserve(po_arrays *arrays, size_t count, size_t size);
+
+/* Frees all arrays; others may then be allocated. */
+void po_arrays_free(po_arrays *arrays);
+
 /* As realloc, with a check for overflow. The memory is not aligned: it is meant for records, not
  * for linear algebra. Returned: NULL with a message on failure; then the old array is unchanged. */
 void *po_resize(void *array, size_t count, size_t size);

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "po_elementary.h"
-#include "po_memory.h"
 
 /* Panels for which a surface has room: of any scene, and more for each wave on the domain. The
  * finest meshes of (3, 1, 20) take four a wave. */
@@ -31,13 +30,13 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   a->capacity = (a->most + 1) * PO_TABLE_ORDER;
   po_surface *s = &a->surface;
   s->core_radius = domain;
-  s->node = po_reserve(a->capacity, sizeof *s->node);
-  s->weight = po_reserve(a->capacity, sizeof *s->weight);
-  s->length = po_reserve(a->capacity, sizeof *s->length);
-  s->reach = po_reserve(a->capacity, sizeof *s->reach);
+  s->node = po_arrays_reserve(&s->arrays, a->capacity, sizeof *s->node);
+  s->weight = po_arrays_reserve(&s->arrays, a->capacity, sizeof *s->weight);
+  s->length = po_arrays_reserve(&s->arrays, a->capacity, sizeof *s->length);
+  s->reach = po_arrays_reserve(&s->arrays, a->capacity, sizeof *s->reach);
   po_panels_uniform(&a->draft, level);
   po_status status = PO_NO_MEMORY;
-  if (table && s->node && s->weight && s->length && s->reach)
+  if (table && !s->arrays.ran_out)
     status = po_hierarchy_create(table, isinf(scene->outer_radius), po_panel_decay(scene),
                                  &s->hierarchy);
   if (!status)
@@ -52,10 +51,7 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
 void po_adaptive_destroy(po_adaptive *a) {
   if (!a)
     return;
-  free(a->surface.node);
-  free(a->surface.weight);
-  free(a->surface.length);
-  free(a->surface.reach);
+  po_arrays_free(&a->surface.arrays);
   po_hierarchy_destroy(a->surface.hierarchy);
   free(a);
 }

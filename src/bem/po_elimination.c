@@ -43,8 +43,9 @@ struct po_elimination {
   const po_hierarchy *hierarchy;
   const po_skeleton *skeleton;
   double value[K * K]; /* that of the skeleton, with rows of zeros */
-  size_t room;         /* cells for which there is memory */
-  double *matrix;      /* of all cells */
+  size_t room;         /* cells for which there is memory, in: */
+  po_arrays cells;
+  double *matrix; /* of all cells */
   cell_state *state;
   double *border; /* 12 a panel: the transpose of I + CHANGE times the border */
   double *factor; /* 12 a panel: the factors of the matrix */
@@ -73,33 +74,24 @@ po_status po_elimination_create(const po_hierarchy *hierarchy, po_elimination **
   return PO_OK;
 }
 
-static void free_cells(po_elimination *e) {
-  free(e->matrix);
-  free(e->state);
-  free(e->border);
-  free(e->factor);
-}
-
 void po_elimination_destroy(po_elimination *e) {
   if (!e)
     return;
-  free_cells(e);
+  po_arrays_free(&e->cells);
   free(e);
 }
 
 static po_status reserve(po_elimination *e, size_t cells) {
   if (cells <= e->room)
     return PO_OK;
-  free_cells(e);
-  e->room = cells + cells / 2;
-  e->matrix = po_reserve(e->room * CELL_SIZE, sizeof *e->matrix);
-  e->state = po_reserve(e->room, sizeof *e->state);
-  e->border = po_allocate(e->room * N, sizeof *e->border);
-  e->factor = po_allocate(e->room * N, sizeof *e->factor);
-  if (e->matrix && e->state && e->border && e->factor)
-    return PO_OK;
-  e->room = 0;
-  return PO_NO_MEMORY;
+  po_arrays_free(&e->cells);
+  const size_t room = cells + cells / 2;
+  e->matrix = po_arrays_reserve(&e->cells, room * CELL_SIZE, sizeof *e->matrix);
+  e->state = po_arrays_reserve(&e->cells, room, sizeof *e->state);
+  e->border = po_arrays_allocate(&e->cells, room * N, sizeof *e->border);
+  e->factor = po_arrays_allocate(&e->cells, room * N, sizeof *e->factor);
+  e->room = e->cells.ran_out ? 0 : room;
+  return e->cells.ran_out ? PO_NO_MEMORY : PO_OK;
 }
 
 static double *at(const po_elimination *e, size_t cell, enum part part) {

@@ -35,108 +35,59 @@ po_status po_hierarchy_create(const po_panel_table *table, bool unbounded, doubl
   return PO_OK;
 }
 
-static void free_mesh(po_hierarchy *h) {
-  free(h->cell);
-  free(h->cell_of_panel);
-  free(h->own);
-  free(h->to_tail);
-  free(h->halves);
-  free(h->weight);
-  free(h->charge);
-  free(h->field);
-}
-
-/* Blocks of influence coefficients that are kept from mesh to mesh, found by a key. */
-
 /* Values of one allocation, and places of the first table. */
 enum { CHUNK_VALUES = 1 << 14, FIRST_PLACES = 1024 };
 
-static bool is_key(const po_block_key *a, po_block_key b) {
-  return a->first == b.first && a->second == b.second;
+static bool is_key(po_block_key a, po_block_key b) {
+  return a.first == b.first && a.second == b.second;
 }
 
 /* Returned: the place of the key, or the empty place where it belongs. */
-static size_t place_of(const po_block_store *s, po_block_key key) {
+static po_block_place *place_of(const po_block_store *s, po_block_key key) {
   static const uint64_t MIX = 0x9e3779b97f4a7c15U; /* 2^64 over the golden ratio (Knuth) */
   const uint64_t mixed = (key.first * MIX ^ key.second) * MIX;
-  size_t place = (size_t)(mixed >> 20) & (s->room - 1);
-  while (s->key[place].first != 0 && !is_key(&s->key[place], key))
-    place = (place + 1) & (s->room - 1);
-  return place;
+  size_t k = (size_t)(mixed >> 20) & (s->room - 1);
+  while (s->place[k].key.first != 0 && !is_key(s->place[k].key, key))
+    k = (k + 1) & (s->room - 1);
+  return s->place + k;
 }
 
-static int enlarge(po_block_store *s) {
+/* Returned: false if memory runs out; then the store is unchanged. */
+static bool enlarge(po_block_store *s) {
   po_block_store larger = *s;
   larger.room = s->room ? 2 * s->room : FIRST_PLACES;
-  larger.key = po_allocate(larger.room, sizeof *larger.key);
-  larger.block = po_allocate(larger.room, sizeof *larger.block);
-  if (!larger.key || !larger.block) {
-    free(larger.key);
-    free(larger.block);
-    return 0;
-  }
+  larger.place = po_allocate(larger.room, sizeof *larger.place);
+  if (!larger.place)
+    return false;
   for (size_t k = 0; k < s->room; ++k)
-    if (s->key[k].first != 0) {
-      const size_t place = place_of(&larger, s->key[k]);
-      larger.key[place] = s->key[k];
-      larger.block[place] = s->block[k];
-    }
-  free(s->key);
-  free(s->block);
+    if (s->place[k].key.first != 0)
+      *place_of(&larger, s->place[k].key) = s->place[k];
+  free(s->place);
   *s = larger;
-  return 1;
+  return true;
 }
 
 static double *new_block(po_block_store *s, size_t size) {
-  if (s->chunks == 0 || s->used + size > CHUNK_VALUES) {
-    double **chunk = po_grow(s->chunk, s->chunks, &s->chunk_room, sizeof *chunk);
-    if (!chunk)
-      return NULL;
-    s->chunk = chunk;
-    s->chunk[s->chunks] = po_reserve(CHUNK_VALUES, sizeof(double));
-    if (!s->chunk[s->chunks])
-      return NULL;
-    ++s->chunks;
+  if (!s->chunk || s->used + size > CHUNK_VALUES) {
+    s->chunk = po_arrays_reserve(&s->chunks, CHUNK_VALUES, sizeof *s->chunk);
     s->used = 0;
   }
+  if (!s->chunk)
+    return NULL;
   s->used += size;
-  return s->chunk[s->chunks - 1] + s->used - size;
+  return s->chunk + s->used - size;
 }
 
-/* Finds the block of a key. Given: key; size, the number of its values, the same at every call
- * with this key. Returned: the block; *is_new, whether it was added by this call, with undefined
- * values. NULL if memory runs out. A block stays where it is until the store is cleared. */
-static double *block_store_find(po_block_store *s, po_block_key key, size_t size, int *is_new) {
-  *is_new = 0;
-  if (2 * s->count >= s->room && !enlarge(s))
-    return NULL;
-  const size_t place = place_of(s, key);
-  if (is_key(&s->key[place], key))
-    return s->block[place];
-  double *block = new_block(s, size);
-  if (!block)
-    return NULL;
-  ++s->count;
-  s->key[place] = key;
-  s->block[place] = block;
-  *is_new = 1;
-  return block;
-}
-
-/* Removes all blocks. */
 static void block_store_clear(po_block_store *s) {
-  for (size_t k = 0; k < s->chunks; ++k)
-    free(s->chunk[k]);
-  free(s->chunk);
-  free(s->key);
-  free(s->block);
+  po_arrays_free(&s->chunks);
+  free(s->place);
   *s = (po_block_store){0};
 }
 
 void po_hierarchy_destroy(po_hierarchy *h) {
   if (!h)
     return;
-  free_mesh(h);
+  po_arrays_free(&h->mesh);
   free(h->kernel.pair);
   free(h->product.pair);
   block_store_clear(&h->store);
@@ -233,15 +184,21 @@ static void find_reach(const double *block, double *reach) {
  * memory runs out. Where a panel is not given, it is that to infinity. Blocks to be multiplied by
  * the traction are followed by the reach of their columns. */
 static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, const po_panel *b) {
-  int is_new;
+  po_block_store *s = &h->store;
+  const po_block_key key = key_of(kind, a, b);
+  const bool had_room = 2 * s->count < s->room || enlarge(s);
+  po_block_place *const place = had_room ? place_of(s, key) : NULL;
+  if (place && is_key(place->key, key))
+    return place->block;
   const bool with_reach = kind == PRODUCT || kind == TAIL;
   const size_t values = kind == HALVES ? PO_SKELETON_SIZE : PO_BLOCK_SIZE;
-  const size_t size = values + (with_reach ? N : 0);
-  double *block = block_store_find(&h->store, key_of(kind, a, b), size, &is_new);
-  if (!block)
+  double *block = place ? new_block(s, values + (with_reach ? N : 0)) : NULL;
+  if (!block) {
     h->trouble = PO_NO_MEMORY;
-  if (!block || !is_new)
-    return block;
+    return NULL;
+  }
+  *place = (po_block_place){key, block};
+  ++s->count;
   if (kind == KERNEL)
     fill_kernel(h, *a, *b, block);
   else if (kind == PRODUCT)
@@ -339,19 +296,17 @@ static po_status reserve(po_hierarchy *h, size_t panels) {
   if (panels <= h->room)
     return PO_OK;
   const size_t room = panels + panels / 2;
-  free_mesh(h);
-  h->cell = po_allocate(2 * room, sizeof *h->cell);
-  h->cell_of_panel = po_allocate(room, sizeof *h->cell_of_panel);
-  h->own = po_allocate(room, sizeof *h->own);
-  h->to_tail = po_allocate(room, sizeof *h->to_tail);
-  h->halves = po_allocate(2 * room, sizeof *h->halves);
-  h->weight = po_allocate(room * N, sizeof *h->weight);
-  h->charge = po_allocate(2 * room * N, sizeof *h->charge);
-  h->field = po_allocate(2 * room * N, sizeof *h->field);
-  const bool had = h->cell && h->cell_of_panel && h->own && h->to_tail && h->halves && h->weight &&
-                   h->charge && h->field;
-  h->room = had ? room : 0;
-  return had ? PO_OK : PO_NO_MEMORY;
+  po_arrays_free(&h->mesh);
+  h->cell = po_arrays_allocate(&h->mesh, 2 * room, sizeof *h->cell);
+  h->cell_of_panel = po_arrays_allocate(&h->mesh, room, sizeof *h->cell_of_panel);
+  h->own = po_arrays_allocate(&h->mesh, room, sizeof *h->own);
+  h->to_tail = po_arrays_allocate(&h->mesh, room, sizeof *h->to_tail);
+  h->halves = po_arrays_allocate(&h->mesh, 2 * room, sizeof *h->halves);
+  h->weight = po_arrays_allocate(&h->mesh, room * N, sizeof *h->weight);
+  h->charge = po_arrays_allocate(&h->mesh, 2 * room * N, sizeof *h->charge);
+  h->field = po_arrays_allocate(&h->mesh, 2 * room * N, sizeof *h->field);
+  h->room = h->mesh.ran_out ? 0 : room;
+  return h->mesh.ran_out ? PO_NO_MEMORY : PO_OK;
 }
 
 po_status po_hierarchy_mesh(po_hierarchy *h, const po_panels *panels) {

@@ -20,6 +20,7 @@
 #include <stdint.h>
 
 #include "po_block.h"
+#include "po_memory.h"
 #include "po_panel_table.h"
 #include "po_panels.h"
 #include "po_status.h"
@@ -29,12 +30,18 @@ typedef struct {
 } po_block_key;
 
 typedef struct {
-  size_t count, room; /* keys stored, and places for keys: a power of 2 */
-  po_block_key *key;  /* room: first is 0 for an empty place */
-  double **block;     /* room */
-  double **chunk;     /* memory of the blocks */
-  size_t chunks, chunk_room;
-  size_t used; /* values of the last chunk that belong to blocks */
+  po_block_key key; /* first is 0 for an empty place */
+  double *block;
+} po_block_place;
+
+/* Blocks of influence coefficients that are kept from mesh to mesh, found by a key. A block stays
+ * where it is until the store is cleared. */
+typedef struct {
+  size_t count, room;    /* keys stored, and places for keys: a power of 2 */
+  po_block_place *place; /* room */
+  po_arrays chunks;      /* memory of the blocks */
+  double *chunk;         /* the last one */
+  size_t used;           /* values of it that belong to blocks */
 } po_block_store;
 
 /* No cell, or no panel. */
@@ -80,7 +87,8 @@ typedef struct {
   const double **halves;   /* 2 panels - 1: between the skeletons of the halves of a cell */
   double *weight;          /* nodes of the panels: weights on a domain of radius 1 */
   double *charge, *field;  /* cells x 12: work */
-  size_t room;             /* panels for which there is memory */
+  size_t room;             /* panels for which there is memory, in: */
+  po_arrays mesh;
   po_interactions kernel;  /* between cells, through the kernel */
   po_interactions product; /* between panels, source to target only, with the traction */
   po_status trouble;

@@ -9,7 +9,6 @@
 #include "po_initial_gap.h"
 #include "po_kernel.h"
 #include "po_linear.h"
-#include "po_memory.h"
 #include "po_panel.h"
 #include "po_scales.h"
 
@@ -156,12 +155,12 @@ static po_surface *allocate_surface(size_t n, bool elastic) {
   if (!s)
     return NULL;
   s->n = n;
-  s->node = po_allocate(n, sizeof *s->node);
-  s->weight = po_allocate(n, sizeof *s->weight);
-  s->length = po_allocate(n, sizeof *s->length);
-  s->influence = elastic ? po_allocate(n * n, sizeof *s->influence) : NULL;
-  s->reach = elastic ? po_allocate(n, sizeof *s->reach) : NULL;
-  if (s->node && s->weight && s->length && ((s->influence && s->reach) || !elastic))
+  s->node = po_arrays_allocate(&s->arrays, n, sizeof *s->node);
+  s->weight = po_arrays_allocate(&s->arrays, n, sizeof *s->weight);
+  s->length = po_arrays_allocate(&s->arrays, n, sizeof *s->length);
+  s->influence = elastic ? po_arrays_allocate(&s->arrays, n * n, sizeof *s->influence) : NULL;
+  s->reach = elastic ? po_arrays_allocate(&s->arrays, n, sizeof *s->reach) : NULL;
+  if (!s->arrays.ran_out)
     return s;
   po_surface_destroy(s);
   return NULL;
@@ -283,10 +282,6 @@ done:
 void po_surface_destroy(po_surface *surface) {
   if (!surface)
     return;
-  free(surface->node);
-  free(surface->weight);
-  free(surface->length);
-  free(surface->influence);
-  free(surface->reach);
+  po_arrays_free(&surface->arrays);
   free(surface);
 }

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "po_hierarchy.h"
+#include "po_memory.h"
 #include "po_mesh.h"
 #include "po_scene.h"
 #include "po_status.h"
@@ -29,6 +30,7 @@ typedef struct {
   double *reach; /* n: largest modulus in each column of the influence matrix; NULL for a rigid
                     surface */
   uint64_t kernel_evaluations;
+  po_arrays arrays;
 } po_surface;
 
 /* The deflection by tractions, y = G x, and the transpose, y = G^T x. Given: x, n. Returned: y, n.

@@ -235,18 +235,6 @@ po_status po_continuation_reverse(po_continuation *t, po_branch_visit visit_back
   return go_on(t);
 }
 
-static size_t points_of(po_continuation *t, po_solution **points) {
-  po_solution *const own[] = {&t->previous, &t->current, &t->next, &t->inner, &t->spare};
-  size_t count = 0;
-  for (size_t k = 0; k < sizeof own / sizeof *own; ++k)
-    points[count++] = own[k];
-  for (size_t k = 0; k < PO_MOST_EVENTS; ++k)
-    points[count++] = &t->at_event[k];
-  return count;
-}
-
-enum { MOST_POINTS_KEPT = 5 + PO_MOST_EVENTS };
-
 po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adaptive,
                                  po_allowance allowed, const po_continuation_options *options,
                                  po_continuation **continuation) {
@@ -256,11 +244,12 @@ po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adapt
   t->options = *options;
   t->step = FIRST_STEP;
   t->error_factor = NAN;
-  po_solution *points[MOST_POINTS_KEPT];
-  const size_t count = points_of(t, points);
   po_status status = po_corrector_allocate(&t->c, equilibrium, adaptive, allowed);
-  for (size_t k = 0; k < count && !status; ++k)
-    status = po_solution_allocate(points[k], t->c.capacity);
+  po_solution *const points[] = {&t->previous, &t->current, &t->next, &t->inner, &t->spare};
+  for (size_t k = 0; k < sizeof points / sizeof *points && !status; ++k)
+    status = po_solution_allocate(points[k], t->c.capacity, &t->c.arrays);
+  for (size_t k = 0; k < PO_MOST_EVENTS && !status; ++k)
+    status = po_solution_allocate(&t->at_event[k], t->c.capacity, &t->c.arrays);
   if (!status)
     return PO_OK;
   po_continuation_destroy(t);
@@ -271,10 +260,6 @@ po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adapt
 void po_continuation_destroy(po_continuation *t) {
   if (!t)
     return;
-  po_solution *points[MOST_POINTS_KEPT];
-  const size_t count = points_of(t, points);
-  for (size_t k = 0; k < count; ++k)
-    po_solution_free(points[k]);
-  po_corrector_free(&t->c);
+  po_arrays_free(&t->c.arrays);
   free(t);
 }

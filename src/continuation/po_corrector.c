@@ -1,11 +1,9 @@
 #include "po_corrector.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_linear.h"
-#include "po_memory.h"
 #include "po_prediction.h"
 #include "po_scaled_tangent.h"
 
@@ -23,16 +21,10 @@ po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive 
                       .capacity = adaptive ? adaptive->capacity : e->n,
                       .direction = 1,
                       .farthest = INFINITY};
-  c->border = po_reserve(c->capacity + 1, sizeof *c->border);
-  c->guess = po_reserve(c->capacity + 1, sizeof *c->guess);
-  c->coordinate = po_reserve(c->capacity + 1, sizeof *c->coordinate);
-  return c->border && c->guess && c->coordinate ? PO_OK : PO_NO_MEMORY;
-}
-
-void po_corrector_free(po_corrector *c) {
-  free(c->border);
-  free(c->guess);
-  free(c->coordinate);
+  c->border = po_arrays_reserve(&c->arrays, c->capacity + 1, sizeof *c->border);
+  c->guess = po_arrays_reserve(&c->arrays, c->capacity + 1, sizeof *c->guess);
+  c->coordinate = po_arrays_reserve(&c->arrays, c->capacity + 1, sizeof *c->coordinate);
+  return c->arrays.ran_out ? PO_NO_MEMORY : PO_OK;
 }
 
 po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {

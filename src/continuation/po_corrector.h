@@ -17,6 +17,7 @@ typedef struct {
   size_t capacity;        /* largest number of nodes */
   double *border, *guess; /* capacity + 1 */
   double *coordinate;     /* capacity + 1: work, coordinates of the arclength */
+  po_arrays arrays;       /* these, and the solutions of the owner, who frees them */
   int direction;          /* of the trace: 1 forward, -1 reverse; 0: any orientation is accepted */
   double farthest;        /* error of a guess, relative to 1 + H, above which a solve is given up;
                              INFINITY: only if it does not converge */
@@ -28,7 +29,6 @@ typedef struct {
  * errors that the resolution of panels may leave. Status: PO_NO_MEMORY. */
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive,
                                 po_allowance allowed);
-void po_corrector_free(po_corrector *c);
 
 /* Adapts panels so that they resolve a field with a margin. Status: PO_OUT_OF_NODES, which is also
  * stored in `trouble`. */

@@ -196,11 +196,11 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
   if (!status)
     status = po_corrector_allocate(&f->c, f->e, f->adaptive, options->allowed);
   for (size_t k = 0; k <= MARKS && !status; ++k)
-    status = po_solution_allocate(&f->marks[k].point, capacity);
+    status = po_solution_allocate(&f->marks[k].point, capacity, &f->c.arrays);
   if (!status)
-    status = po_solution_allocate(&f->seed, capacity);
+    status = po_solution_allocate(&f->seed, capacity, &f->c.arrays);
   if (!status)
-    status = po_solution_allocate(&f->spare, capacity);
+    status = po_solution_allocate(&f->spare, capacity, &f->c.arrays);
   if (status) {
     po_follow_destroy(f);
     *follower = NULL;
@@ -213,11 +213,7 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
 void po_follow_destroy(po_follower *f) {
   if (!f)
     return;
-  for (size_t k = 0; k <= MARKS; ++k)
-    po_solution_free(&f->marks[k].point);
-  po_solution_free(&f->seed);
-  po_solution_free(&f->spare);
-  po_corrector_free(&f->c);
+  po_arrays_free(&f->c.arrays);
   po_equilibrium_destroy(f->e);
   po_adaptive_destroy(f->adaptive);
   free(f);

@@ -2,7 +2,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_arclength.h"
@@ -25,38 +24,28 @@ typedef struct {
   int *pivots;
   po_two *traction, *residual; /* n, in twice the precision */
   double *size;                /* n: sum of the moduli of the terms of an equation */
+  po_arrays arrays;            /* all of these */
 } room;
-
-static void room_free(room *r) {
-  free(r->influence);
-  free(r->matrix);
-  free(r->border);
-  free(r->x);
-  free(r->scale);
-  free(r->pivots);
-  free(r->traction);
-  free(r->residual);
-  free(r->size);
-}
 
 static po_status room_allocate(room *r, const po_equilibrium *e) {
   const size_t n = e->n;
-  *r = (room){.influence = po_reserve(n * n, sizeof *r->influence),
-              .matrix = po_reserve((n + 1) * (n + 1), sizeof *r->matrix),
-              .border = po_allocate(n + 1, sizeof *r->border),
-              .x = po_allocate(n + 1, sizeof *r->x),
-              .scale = po_allocate(n + 1, sizeof *r->scale),
-              .pivots = po_allocate(n + 1, sizeof *r->pivots),
-              .traction = po_allocate(n, sizeof *r->traction),
-              .residual = po_allocate(n, sizeof *r->residual),
-              .size = po_allocate(n, sizeof *r->size)};
-  const bool had = r->influence && r->matrix && r->border && r->x && r->scale && r->pivots &&
-                   r->traction && r->residual && r->size;
-  if (had)
-    po_surface_fill_matrix(e->surface, r->influence);
-  else
-    room_free(r);
-  return had ? PO_OK : PO_NO_MEMORY;
+  po_arrays *const all = &r->arrays;
+  *r = (room){0};
+  r->influence = po_arrays_reserve(all, n * n, sizeof *r->influence);
+  r->matrix = po_arrays_reserve(all, (n + 1) * (n + 1), sizeof *r->matrix);
+  r->border = po_arrays_allocate(all, n + 1, sizeof *r->border);
+  r->x = po_arrays_allocate(all, n + 1, sizeof *r->x);
+  r->scale = po_arrays_allocate(all, n + 1, sizeof *r->scale);
+  r->pivots = po_arrays_allocate(all, n + 1, sizeof *r->pivots);
+  r->traction = po_arrays_allocate(all, n, sizeof *r->traction);
+  r->residual = po_arrays_allocate(all, n, sizeof *r->residual);
+  r->size = po_arrays_allocate(all, n, sizeof *r->size);
+  if (all->ran_out) {
+    po_arrays_free(all);
+    return PO_NO_MEMORY;
+  }
+  po_surface_fill_matrix(e->surface, r->influence);
+  return PO_OK;
 }
 
 /* p, Eq 16 without its factor mu. Where waves are averaged, the traction of the solver. */
@@ -192,7 +181,7 @@ po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis
     fill_bordered(e, &r);
     made->bordered_condition = factorize(&r, e->n + 1, &status);
   }
-  room_free(&r);
+  po_arrays_free(&r.arrays);
   return status;
 }
 
@@ -237,6 +226,6 @@ po_status po_sensitivity_make(po_equilibrium *e, const double *state, po_sensiti
     made->rounding += fabs(adjoint) * 0.5 * DBL_EPSILON * r.size[j];
   }
   made->radius -= po_equilibrium_load(e); /* the 1/R of Eq 17 */
-  room_free(&r);
+  po_arrays_free(&r.arrays);
   return status;
 }

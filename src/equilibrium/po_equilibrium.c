@@ -49,23 +49,22 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
                               &e->border,      &e->right,    &e->scratch, &e->measure,
                               &e->column,      &e->row,      &e->change,  &e->response,
                               &e->source};
-  bool had = true;
+  po_arrays *const all = &e->arrays;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
-    had = (*vectors[k] = po_reserve(capacity + 1, sizeof(double))) && had;
-  e->weak = po_reserve(PO_MOST_WEAK * (capacity + 1), sizeof *e->weak);
-  e->weak_functional = po_reserve(PO_MOST_WEAK * (capacity + 1), sizeof *e->weak_functional);
-  had = e->weak && e->weak_functional && had;
-  e->index = po_reserve(capacity, sizeof *e->index);
+    *vectors[k] = po_arrays_reserve(all, capacity + 1, sizeof(double));
+  e->weak = po_arrays_reserve(all, PO_MOST_WEAK * (capacity + 1), sizeof *e->weak);
+  e->weak_functional =
+      po_arrays_reserve(all, PO_MOST_WEAK * (capacity + 1), sizeof *e->weak_functional);
+  e->index = po_arrays_reserve(all, capacity, sizeof *e->index);
+  po_secant_allocate(&e->secant, capacity + 1, all);
+  po_status status = PO_OK;
   if (surface->hierarchy) {
-    had = !po_elimination_create(surface->hierarchy, &e->elimination) && had;
+    status = po_elimination_create(surface->hierarchy, &e->elimination);
   } else {
-    po_factors *f = &e->factors;
-    f->right = po_allocate(capacity + 1, sizeof *f->right);
-    f->pivots = po_allocate(capacity + 1, sizeof *f->pivots);
-    had = f->right && f->pivots && had;
+    e->factors.right = po_arrays_allocate(all, capacity + 1, sizeof *e->factors.right);
+    e->factors.pivots = po_arrays_allocate(all, capacity + 1, sizeof *e->factors.pivots);
   }
-  had = po_secant_allocate(&e->secant, capacity + 1) && had;
-  if (!had || !e->index) {
+  if (status || all->ran_out) {
     po_equilibrium_destroy(e);
     *equilibrium = NULL;
     return PO_NO_MEMORY;
@@ -77,19 +76,10 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
 void po_equilibrium_destroy(po_equilibrium *e) {
   if (!e)
     return;
-  double *const vectors[] = {e->initial_gap, e->traction, e->slope,          e->deflection,
-                             e->border,      e->right,    e->scratch,        e->measure,
-                             e->column,      e->row,      e->change,         e->response,
-                             e->source,      e->weak,     e->weak_functional};
-  for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
-    free(vectors[k]);
-  po_secant_free(&e->secant);
+  po_arrays_free(&e->arrays);
   free(e->factors.matrix);
   free(e->factors.wide);
-  free(e->factors.right);
-  free(e->factors.pivots);
   po_elimination_destroy(e->elimination);
-  free(e->index);
   free(e);
 }
 

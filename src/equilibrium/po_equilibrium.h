@@ -99,6 +99,7 @@ typedef struct {
   po_work work; /* points, iterations, factorisations and meshes; what the surface, a trace and the
                    clock count is 0 */
   uint64_t tangent_iterations; /* of solves for a tangent, for tests */
+  po_arrays arrays;            /* all but the matrices of `factors` */
 } po_equilibrium;
 
 /* Given: scene and surface, which must outlive the object; the number of nodes for which memory is

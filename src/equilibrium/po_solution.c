@@ -1,41 +1,24 @@
 #include "po_solution.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
-#include "po_memory.h"
 #include "po_root.h"
 
-po_status po_solution_allocate(po_solution *p, size_t capacity) {
-  double **const arrays[] = {&p->state, &p->tangent,    &p->deflection, &p->slope,
-                             &p->node,  &p->coordinate, &p->rate};
-  bool had = true;
-  for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k)
-    had = (*arrays[k] = po_reserve(capacity + 1, sizeof(double))) && had;
-  po_panels **const meshes[] = {&p->panels, &p->wanted};
-  for (size_t k = 0; k < sizeof meshes / sizeof *meshes; ++k) {
-    *meshes[k] = po_reserve(1, sizeof **meshes[k]);
-    if (*meshes[k])
-      (*meshes[k])->count = 0;
-    had = *meshes[k] && had;
-  }
-  return had ? PO_OK : PO_NO_MEMORY;
-}
-
-void po_solution_free(po_solution *p) {
-  free(p->state);
-  free(p->tangent);
-  free(p->deflection);
-  free(p->slope);
-  free(p->node);
-  free(p->coordinate);
-  free(p->rate);
-  free(p->panels);
-  free(p->wanted);
+po_status po_solution_allocate(po_solution *p, size_t capacity, po_arrays *arrays) {
+  double **const own[] = {&p->state, &p->tangent,    &p->deflection, &p->slope,
+                          &p->node,  &p->coordinate, &p->rate};
+  for (size_t k = 0; k < sizeof own / sizeof *own; ++k)
+    *own[k] = po_arrays_reserve(arrays, capacity + 1, sizeof **own[k]);
+  p->panels = po_arrays_reserve(arrays, 1, sizeof *p->panels);
+  p->wanted = po_arrays_reserve(arrays, 1, sizeof *p->wanted);
+  if (arrays->ran_out)
+    return PO_NO_MEMORY;
+  p->panels->count = p->wanted->count = 0;
+  return PO_OK;
 }
 
 void po_solution_copy(const po_solution *from, po_solution *to) {

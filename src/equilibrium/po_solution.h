@@ -31,8 +31,8 @@ typedef struct {
   double tangent;    /* dH/ds */
 } po_solution_value;
 
-po_status po_solution_allocate(po_solution *p, size_t capacity);
-void po_solution_free(po_solution *p);
+/* Allocates a solution of at most `capacity` nodes in `arrays`. Status: PO_NO_MEMORY. */
+po_status po_solution_allocate(po_solution *p, size_t capacity, po_arrays *arrays);
 void po_solution_copy(const po_solution *from, po_solution *to);
 void po_solution_exchange(po_solution *a, po_solution *b);
 

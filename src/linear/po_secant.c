@@ -1,31 +1,21 @@
 #include "po_secant.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_linear.h"
-#include "po_memory.h"
 
 /* The denominator 1 - v.z is the inverse of the factor by which the correction lengthens the step,
  * and the determinant of the correction. A correction with a smaller denominator is left out; in
  * linear equations, with one of smaller modulus. */
 static const double LEAST_DENOMINATOR = 0.2, LEAST_OF_LINEAR = 1e-3;
 
-bool po_secant_allocate(po_secant *s, size_t capacity) {
+void po_secant_allocate(po_secant *s, size_t capacity, po_arrays *arrays) {
   *s = (po_secant){.capacity = capacity};
-  s->u = po_reserve(capacity * PO_SECANT_DEPTH, sizeof *s->u);
-  s->v = po_reserve(capacity * PO_SECANT_DEPTH, sizeof *s->v);
-  s->scale = po_reserve(capacity, sizeof *s->scale);
-  s->step = po_reserve(capacity, sizeof *s->step);
-  return s->u && s->v && s->scale && s->step;
-}
-
-void po_secant_free(po_secant *s) {
-  free(s->u);
-  free(s->v);
-  free(s->scale);
-  free(s->step);
+  s->u = po_arrays_reserve(arrays, capacity * PO_SECANT_DEPTH, sizeof *s->u);
+  s->v = po_arrays_reserve(arrays, capacity * PO_SECANT_DEPTH, sizeof *s->v);
+  s->scale = po_arrays_reserve(arrays, capacity, sizeof *s->scale);
+  s->step = po_arrays_reserve(arrays, capacity, sizeof *s->step);
 }
 
 void po_secant_clear(po_secant *s, size_t n) {

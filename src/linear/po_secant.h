@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_memory.h"
+
 /* The largest number of corrections; then all are dropped. */
 enum { PO_SECANT_DEPTH = 16 };
 
@@ -19,9 +21,9 @@ typedef struct {
   int sign;      /* of the determinant of the product of all corrections */
 } po_secant;
 
-/* Allocates updates for vectors of length up to `capacity`. Returned: false if memory runs out. */
-bool po_secant_allocate(po_secant *s, size_t capacity);
-void po_secant_free(po_secant *s);
+/* Allocates updates for vectors of length up to `capacity`. Returned: in `arrays`, also whether
+ * memory ran out. */
+void po_secant_allocate(po_secant *s, size_t capacity, po_arrays *arrays);
 
 /* Deletes all corrections, because M has changed. Vectors then have length n and all scales are
  * 1. */

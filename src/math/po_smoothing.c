@@ -6,7 +6,6 @@
 
 #include "po_elementary.h"
 #include "po_hermite.h"
-#include "po_memory.h"
 
 /* Cubic B-splines that are not 0 in an interval; rows of a band. */
 enum { ORDER = 4 };
@@ -44,6 +43,7 @@ typedef struct {
   band *gram, *rough, *factor, *inverse; /* size */
   double *right, *coefficient;           /* size */
   double unit;                           /* of the roughness */
+  po_arrays *arrays;                     /* those of the spline */
 } problem;
 
 static double knot_at(size_t knots, const double *knot, size_t k) { /* k + 3 of the clamped ones */
@@ -75,18 +75,6 @@ static void add_square(band *matrix, size_t first, const band of, double weight)
   for (size_t i = 0; i < ORDER; ++i)
     for (size_t j = i; j < ORDER; ++j)
       matrix[first + i][j - i] += weight * of[i] * of[j];
-}
-
-static void free_problem(problem *p) {
-  free(p->interval);
-  free(p->knot);
-  free(p->basis);
-  free(p->gram);
-  free(p->rough);
-  free(p->factor);
-  free(p->inverse);
-  free(p->right);
-  free(p->coefficient);
 }
 
 static double trace_of(size_t size, band *matrix) {
@@ -124,17 +112,17 @@ static void assemble(problem *p) {
 static po_status pose(size_t knots, problem *p) {
   p->knots = knots;
   p->size = knots + ORDER - 2;
-  p->interval = po_allocate(p->points, sizeof *p->interval);
-  p->knot = po_allocate(knots, sizeof *p->knot);
-  p->basis = po_allocate(p->points, sizeof *p->basis);
-  p->gram = po_allocate(p->size, sizeof *p->gram);
-  p->rough = po_allocate(p->size, sizeof *p->rough);
-  p->factor = po_allocate(p->size, sizeof *p->factor);
-  p->inverse = po_allocate(p->size, sizeof *p->inverse);
-  p->right = po_allocate(p->size, sizeof *p->right);
-  p->coefficient = po_allocate(p->size, sizeof *p->coefficient);
-  if (!p->interval || !p->knot || !p->basis || !p->gram || !p->rough || !p->factor || !p->inverse ||
-      !p->right || !p->coefficient)
+  po_arrays *const all = p->arrays;
+  p->interval = po_arrays_allocate(all, p->points, sizeof *p->interval);
+  p->knot = po_arrays_allocate(all, knots, sizeof *p->knot);
+  p->basis = po_arrays_allocate(all, p->points, sizeof *p->basis);
+  p->gram = po_arrays_allocate(all, p->size, sizeof *p->gram);
+  p->rough = po_arrays_allocate(all, p->size, sizeof *p->rough);
+  p->factor = po_arrays_allocate(all, p->size, sizeof *p->factor);
+  p->inverse = po_arrays_allocate(all, p->size, sizeof *p->inverse);
+  p->right = po_arrays_allocate(all, p->size, sizeof *p->right);
+  p->coefficient = po_arrays_allocate(all, p->size, sizeof *p->coefficient);
+  if (all->ran_out)
     return PO_NO_MEMORY;
   for (size_t k = 0; k < knots; ++k)
     p->knot[k] = p->x[k * (p->points - 1) / (knots - 1)];
@@ -274,23 +262,21 @@ static void take_spline(const problem *p, po_smoothing *s) {
   }
 }
 
-static po_status take(problem *p, const fit *best, po_smoothing *s) {
+static po_status take(const problem *p, const fit *best, po_smoothing *s) {
   s->points = p->points;
   s->knots = p->knots;
   s->parameters = best->parameters;
   s->rms = sqrt(best->squares / (double)p->points);
   s->residual = sqrt(best->squares / ((double)p->points - best->parameters));
   s->deviation = isnan(p->deviation) ? s->residual : p->deviation;
-  s->value = po_allocate(p->knots, sizeof *s->value);
-  s->slope = po_allocate(p->knots, sizeof *s->slope);
-  s->removed = po_allocate(p->points, sizeof *s->removed);
-  if (!s->value || !s->slope || !s->removed)
-    return PO_NO_MEMORY;
-  take_spline(p, s);
+  s->value = po_arrays_allocate(&s->arrays, p->knots, sizeof *s->value);
+  s->slope = po_arrays_allocate(&s->arrays, p->knots, sizeof *s->slope);
+  s->removed = po_arrays_allocate(&s->arrays, p->points, sizeof *s->removed);
   s->knot = p->knot;
   s->factor = p->factor[0];
-  p->knot = NULL;
-  p->factor = NULL;
+  if (s->arrays.ran_out)
+    return PO_NO_MEMORY;
+  take_spline(p, s);
   return PO_OK;
 }
 
@@ -299,28 +285,20 @@ po_status po_smoothing_make(size_t points, const double *x, const double *y, dou
   *s = (po_smoothing){0};
   const size_t most = points / 2;
   for (size_t knots = FIRST_KNOTS;; knots *= 2) {
-    problem p = {.points = points, .x = x, .y = y, .deviation = deviation};
+    problem p = {.points = points, .x = x, .y = y, .deviation = deviation, .arrays = &s->arrays};
     knots = knots < most ? knots : most;
-    po_status status = pose(knots, &p);
-    if (!status) {
-      const fit best = fit_best(&p);
-      if (best.parameters > MOST_USED * (double)p.size && knots < most) {
-        free_problem(&p);
-        continue;
-      }
-      status = take(&p, &best, s);
-    }
-    free_problem(&p);
-    return status;
+    po_arrays_free(&s->arrays);
+    const po_status status = pose(knots, &p);
+    if (status)
+      return status;
+    const fit best = fit_best(&p);
+    if (!(best.parameters > MOST_USED * (double)p.size && knots < most))
+      return take(&p, &best, s);
   }
 }
 
 void po_smoothing_free(po_smoothing *s) {
-  free(s->knot);
-  free(s->value);
-  free(s->slope);
-  free(s->removed);
-  free(s->factor);
+  po_arrays_free(&s->arrays);
   *s = (po_smoothing){0};
 }
 

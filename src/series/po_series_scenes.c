@@ -58,15 +58,10 @@ po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_s
   return status;
 }
 
-static void free_points(po_kept_points *kept) {
-  for (size_t k = 0; k < kept->count; ++k)
-    po_solution_free(&kept->points[k].point);
-  kept->count = 0;
-}
-
 static void begin(void *data, double tolerance) {
   po_kept_points *kept = data;
-  free_points(kept);
+  po_arrays_free(&kept->arrays);
+  kept->count = 0;
   kept->tolerance = tolerance;
 }
 
@@ -83,7 +78,7 @@ static bool keep(void *data, const po_branch_point *p, double margin) {
   kept->points = points;
   po_kept_point *new = &points[kept->count++];
   *new = (po_kept_point){.approach = p->approach, .load = p->load, .margin = margin};
-  if (po_solution_allocate(&new->point, p->solution->n))
+  if (po_solution_allocate(&new->point, p->solution->n, &kept->arrays))
     return false;
   po_solution_copy(p->solution, &new->point);
   return true;
@@ -95,7 +90,7 @@ po_status po_series_trace(const po_request *request, po_kept_points *kept, po_re
 }
 
 void po_kept_points_clear(po_kept_points *kept) {
-  free_points(kept);
+  po_arrays_free(&kept->arrays);
   free(kept->points);
   *kept = (po_kept_points){0};
 }

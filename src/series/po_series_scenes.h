@@ -32,6 +32,7 @@ typedef struct {
   bool minima;
   po_kept_point *points;
   size_t count, room;
+  po_arrays arrays; /* of the points */
   double tolerance; /* with which the trace met the requested one */
 } po_kept_points;
 

@@ -38,6 +38,26 @@ START_TEST(allocation_is_aligned_zeroed_and_checked) {
 }
 END_TEST
 
+START_TEST(arrays_are_freed_together) {
+  po_arrays arrays = {0};
+  for (int round = 0; round < 2; ++round) {
+    double *x = po_arrays_allocate(&arrays, 23, sizeof *x);
+    char *text = po_arrays_reserve(&arrays, 100, 1);
+    ck_assert_uint_eq((uintptr_t)x % 64, 0);
+    ck_assert_uint_eq((uintptr_t)text % 64, 0);
+    memset(text, 1, 100);
+    for (int i = 0; i < 23; ++i)
+      ck_assert_double_eq(x[i], 0.0);
+    ck_assert(!arrays.ran_out);
+    ck_assert_ptr_null(po_arrays_allocate(&arrays, SIZE_MAX / 4, 8));
+    ck_assert_ptr_null(po_arrays_reserve(&arrays, SIZE_MAX - 1, 1));
+    ck_assert(arrays.ran_out);
+    po_arrays_free(&arrays);
+    ck_assert(!arrays.ran_out);
+  }
+}
+END_TEST
+
 /* A text of unknown origin, and the text that is printed for it. */
 static const struct {
   const char *text, *shown;
@@ -111,6 +131,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, statuses_have_names_and_texts);
   tcase_add_test(tests, message_is_one_line);
   tcase_add_test(tests, allocation_is_aligned_zeroed_and_checked);
+  tcase_add_test(tests, arrays_are_freed_together);
 }
 
 int main(void) {

@@ -43,13 +43,14 @@ typedef struct {
   size_t count, most;
   po_solution point[MOST];
   po_point_kind kind[MOST];
+  po_arrays arrays; /* of the points */
 } folds;
 
 static bool keep(const po_branch_point *p, void *data) {
   folds *f = data;
   if (p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN) {
     ck_assert_uint_lt(f->count, MOST);
-    ck_assert_int_eq(po_solution_allocate(&f->point[f->count], p->solution->n), PO_OK);
+    ck_assert_int_eq(po_solution_allocate(&f->point[f->count], p->solution->n, &f->arrays), PO_OK);
     po_solution_copy(p->solution, &f->point[f->count]);
     f->kind[f->count++] = p->kind;
   }
@@ -104,7 +105,7 @@ static void solve(const series *l, double at, po_result *o) {
 
 START_TEST(followed_folds_agree_with_full_traces) {
   const series *l = &SERIES[_i];
-  folds f;
+  folds f = {.arrays = {0}};
   trace(l, &f);
   po_result traced[3];
   for (int k = 0; k < 3; ++k)
@@ -127,8 +128,7 @@ START_TEST(followed_folds_agree_with_full_traces) {
   const po_work work = po_follow_work(follower);
   ck_assert_uint_lt(work.factorizations, 40 * 3 * l->folds); /* error estimates included */
   po_follow_destroy(follower);
-  for (size_t j = 0; j < f.count; ++j)
-    po_solution_free(&f.point[j]);
+  po_arrays_free(&f.arrays);
   for (int k = 0; k < 3; ++k)
     po_result_clear(&traced[k]);
 }
@@ -137,15 +137,15 @@ END_TEST
 /* The two folds of a smooth sphere merge at mu = 0.697. Below this value there are none. */
 START_TEST(folds_that_merge_are_not_found_beyond) {
   static const series MERGING = {{0.0, 0.0, 0.0, 100.0, INFINITY}, false, 0.9, {0.75, 0.6, 0.0}, 2};
-  folds f;
+  folds f = {.arrays = {0}};
   trace(&MERGING, &f);
   po_follower *follower = follower_of(&MERGING);
   for (size_t j = 0; j < f.count; ++j) {
     ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, MERGING.from), PO_OK);
     ck_assert_int_eq(po_follow_to(follower, MERGING.to[0], INFINITY), PO_OK);
     ck_assert_int_eq(po_follow_to(follower, MERGING.to[1], INFINITY), PO_NOT_FOUND);
-    po_solution_free(&f.point[j]);
   }
+  po_arrays_free(&f.arrays);
   po_follow_destroy(follower);
 }
 END_TEST

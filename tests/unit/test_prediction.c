@@ -16,13 +16,14 @@ static const po_scene SCENE = {2.0, 2.0, 5.0, 100.0, 100.0};
 typedef struct {
   size_t count;
   po_solution point[MOST];
+  po_arrays arrays; /* of the points */
 } steps;
 
 static bool keep(const po_branch_point *p, void *data) {
   steps *s = data;
   if (p->kind != PO_POINT_STEP)
     return false;
-  ck_assert_int_eq(po_solution_allocate(&s->point[s->count], p->solution->n), PO_OK);
+  ck_assert_int_eq(po_solution_allocate(&s->point[s->count], p->solution->n, &s->arrays), PO_OK);
   po_solution_copy(p->solution, &s->point[s->count++]);
   return s->count == MOST || p->load > 1.0;
 }
@@ -73,8 +74,7 @@ START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
     ++left;
   }
   ck_assert_uint_ge(left, 4);
-  for (size_t k = 0; k < s.count; ++k)
-    po_solution_free(&s.point[k]);
+  po_arrays_free(&s.arrays);
 }
 END_TEST
 
@@ -83,8 +83,7 @@ START_TEST(contact_annuli_form_in_few_steps) {
   static steps s; /* too large for the stack */
   trace(&s);
   ck_assert_uint_lt(s.count, 122);
-  for (size_t k = 0; k < s.count; ++k)
-    po_solution_free(&s.point[k]);
+  po_arrays_free(&s.arrays);
 }
 END_TEST
 

@@ -71,8 +71,9 @@ static void compare_along(const po_scene *scene, double error) {
   e->precision = po_observe_precision(TOLERANCE);
   comparison c = {.e = e, .error = error, .border = po_reserve(capacity + 1, sizeof(double))};
   ck_assert_ptr_nonnull(c.border);
-  ck_assert_int_eq(po_solution_allocate(&c.fixed, capacity), PO_OK);
-  ck_assert_int_eq(po_solution_allocate(&c.scaled, capacity), PO_OK);
+  po_arrays arrays = {0};
+  ck_assert_int_eq(po_solution_allocate(&c.fixed, capacity, &arrays), PO_OK);
+  ck_assert_int_eq(po_solution_allocate(&c.scaled, capacity, &arrays), PO_OK);
   po_continuation_options options = po_continuation_options_default();
   options.visit = compare;
   options.data = &c;
@@ -82,8 +83,7 @@ static void compare_along(const po_scene *scene, double error) {
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   ck_assert_uint_gt(c.compared, 5);
   po_continuation_destroy(continuation);
-  po_solution_free(&c.fixed);
-  po_solution_free(&c.scaled);
+  po_arrays_free(&arrays);
   free(c.border);
   po_equilibrium_destroy(e);
   po_adaptive_destroy(panels);
