@@ -46,7 +46,8 @@ static void drop(po_prediction *p, size_t first, size_t end) {
  * closes at the axis, or the last one, whose strain is the same on both sides. Returned: false if
  * only the outermost of several edges could be removed. */
 static bool drop_tightest(po_prediction *p) {
-  const size_t second = po_edge_tightest(&p->edges, p->shift);
+  size_t second;
+  po_edge_strain(&p->edges, p->shift, &second);
   for (size_t k = second > 0 ? second - 1 : 0; k <= second && k < p->edges.count; ++k)
     if (p->edges.at[k] == p->kink) {
       drop(p, k, k + 1);

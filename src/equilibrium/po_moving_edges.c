@@ -106,9 +106,9 @@ po_edge_place po_edge_origin(const po_moving_edges *f, const double *shift, doub
   return p;
 }
 
-static double strain(const po_moving_edges *f, const double *shift, size_t *where) {
+double po_edge_strain(const po_moving_edges *f, const double *shift, size_t *tightest) {
   double from = 0.0, value = 0.0, worst = 0.0; /* as in find */
-  *where = 0;
+  *tightest = 0;
   for (size_t k = 0; k <= f->count && f->count > 0; ++k) {
     const bool last = k == f->count;
     const double half = last ? 0.0 : PLATEAU * neighbour_distance(f, k);
@@ -117,7 +117,7 @@ static double strain(const po_moving_edges *f, const double *shift, size_t *wher
     const double here = STEEPEST * fabs(next - value) / (begin - from);
     if (here > worst) {
       worst = here;
-      *where = k;
+      *tightest = k;
     }
     from = last ? begin : f->at[k] + half;
     value = next;
@@ -125,21 +125,12 @@ static double strain(const po_moving_edges *f, const double *shift, size_t *wher
   return worst;
 }
 
-double po_edge_strain(const po_moving_edges *f, const double *shift) {
-  size_t where;
-  return strain(f, shift, &where);
-}
-
 bool po_edge_may_move(const po_moving_edges *f, const double *shift) {
-  return po_edge_strain(f, shift) < GREATEST_STRAIN;
+  size_t tightest;
+  return po_edge_strain(f, shift, &tightest) < GREATEST_STRAIN;
 }
 
 bool po_edge_may_relate(const po_moving_edges *f, const double *shift) {
-  return po_edge_strain(f, shift) < GREATEST_STRAIN_BACK;
-}
-
-size_t po_edge_tightest(const po_moving_edges *f, const double *shift) {
-  size_t where;
-  strain(f, shift, &where);
-  return where;
+  size_t tightest;
+  return po_edge_strain(f, shift, &tightest) < GREATEST_STRAIN_BACK;
 }
