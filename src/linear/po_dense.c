@@ -19,7 +19,7 @@ static size_t half_of(size_t n) {
 
 #define REAL double
 #define ROWS 8
-#define NAME(x) x##_double
+#define NAME(x) x
 #include "po_dense_kernels.h"
 
 #define REAL float
@@ -42,29 +42,6 @@ PO_FOR_ALL_WIDTHS double po_linear_dot(size_t n, const double *x, const double *
 PO_FOR_ALL_WIDTHS void po_linear_add(size_t n, double factor, const double *x, double *y) {
   for (size_t i = 0; i < n; ++i)
     y[i] += factor * x[i];
-}
-
-/* LAPACK counts rows from 1. */
-static po_status end(po_status status, size_t n, int *pivots) {
-  for (size_t k = 0; k < n; ++k)
-    ++pivots[k];
-  return status;
-}
-
-po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots) {
-  return end(factorize_double(n, n, a, stride, pivots), n, pivots);
-}
-
-po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *pivots) {
-  return end(factorize_single(n, n, a, stride, pivots), n, pivots);
-}
-
-void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x) {
-  po_dense_substitute_double(n, a, stride, pivots, x);
-}
-
-void po_linear_solve_single(size_t n, const float *a, size_t stride, const int *pivots, float *x) {
-  po_dense_substitute_single(n, a, stride, pivots, x);
 }
 
 void po_linear_solve_transposed(size_t n, const double *a, size_t stride, const int *pivots,

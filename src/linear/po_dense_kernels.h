@@ -120,9 +120,17 @@ static po_status NAME(factorize)(size_t rows, size_t columns, REAL *a, size_t st
   return status ? status : left;
 }
 
-/* x = U^-1 L^-1 P x by columns. Given: the pivots, from 1. */
-PO_FOR_ALL_WIDTHS void NAME(po_dense_substitute)(size_t n, const REAL *a, size_t stride,
-                                                 const int *pivots, REAL *x) {
+/* The pivots are then counted from 1, as LAPACK's. */
+po_status NAME(po_linear_factorize)(size_t n, REAL *a, size_t stride, int *pivots) {
+  const po_status status = NAME(factorize)(n, n, a, stride, pivots);
+  for (size_t k = 0; k < n; ++k)
+    ++pivots[k];
+  return status;
+}
+
+/* x = U^-1 L^-1 P x by columns. */
+PO_FOR_ALL_WIDTHS void NAME(po_linear_solve)(size_t n, const REAL *a, size_t stride,
+                                             const int *pivots, REAL *x) {
   for (size_t k = 0; k < n; ++k) {
     const REAL above = x[k];
     x[k] = x[pivots[k] - 1];
