@@ -35,39 +35,31 @@ typedef struct {
   double approach, begin; /* begin: radius beyond which the waves are averaged */
   int of;                 /* TRACTION, SLOPE or ENERGY */
   bool from_zero;         /* beyond `begin` the energy is relative to that at approach 0 */
+  bool short_waves;       /* the waves are averaged from the axis on */
 } integral;
 
-static double chosen(const integral *q, po_law_value p) {
+/* The integrand at a gap, or at the mean of a gap over the waves. */
+static double law_at(const integral *q, double gap, bool mean) {
+  const po_law *law = &q->scene->law;
+  const double amplitude = mean ? po_initial_gap_amplitude(q->scene) : 0.0;
+  if (q->of == ENERGY)
+    return mean ? po_law_energy_averaged(law, gap, amplitude) : po_law_energy(law, gap);
+  const po_law_value p = mean ? po_law_averaged(law, gap, amplitude) : po_law_at(law, gap);
   return q->of == SLOPE ? p.slope : p.traction;
 }
 
-static double law_at(const integral *q, double gap) {
-  const po_law *law = &q->scene->law;
-  return q->of == ENERGY ? po_law_energy(law, gap) : chosen(q, po_law_at(law, gap));
-}
-
-static double resolved(double r, void *data) {
+static double inside(double r, void *data) {
   const integral *q = data;
-  const double gap = po_initial_gap(q->scene, r) - q->approach;
-  return law_at(q, gap) * r;
+  const double initial =
+      q->short_waves ? po_initial_gap_mean(q->scene, r) : po_initial_gap(q->scene, r);
+  return law_at(q, initial - q->approach, q->short_waves) * r;
 }
 
-static double mean_law(const integral *q, double r) {
-  const double gap = po_initial_gap_mean(q->scene, r) - q->approach,
-               amplitude = po_initial_gap_amplitude(q->scene);
-  const po_law *law = &q->scene->law;
-  return q->of == ENERGY ? po_law_energy_averaged(law, gap, amplitude)
-                         : chosen(q, po_law_averaged(law, gap, amplitude));
-}
-
-static double averaged(double t, void *data) { /* r = begin / t */
+static double beyond(double t, void *data) { /* r = begin / t */
   const integral *q = data;
-  const double r = q->begin / t;
-  const double zero = q->from_zero
-                          ? po_law_energy_averaged(&q->scene->law, po_initial_gap_mean(q->scene, r),
-                                                   po_initial_gap_amplitude(q->scene))
-                          : 0.0;
-  return (mean_law(q, r) - zero) * r * r / t;
+  const double r = q->begin / t, initial = po_initial_gap_mean(q->scene, r);
+  const double zero = q->from_zero ? law_at(q, initial, true) : 0.0;
+  return (law_at(q, initial - q->approach, true) - zero) * r * r / t;
 }
 
 /* The length over which the traction changes at the axis, eps: for Lennard-Jones 1 - approach. */
@@ -81,10 +73,11 @@ static double first_edge(const integral *q) {
 }
 
 /* The end of the piece of the quadrature that begins at r: half a wave further, so that each piece
- * has one crest or trough; without waves, twice the radius. The profile is analytic on a piece. */
+ * has one crest or trough; without waves, or with averaged ones, twice the radius. The profile is
+ * analytic on a piece. */
 static double next_edge(const integral *q, double r) {
   const double joint = po_profile_next_joint(&q->scene->profile, r);
-  if (po_scene_is_wavy(q->scene))
+  if (po_scene_is_wavy(q->scene) && !q->short_waves)
     return fmin(joint, r + 0.5 * po_initial_gap_detail(q->scene));
   return fmin(joint, fmax(2.0 * r, first_edge(q)));
 }
@@ -106,11 +99,6 @@ static bool has_short_waves(const integral *q) {
          c < SHORT_WAVES * distance_at(q);
 }
 
-static double averaged_at(double r, void *data) {
-  const integral *q = data;
-  return mean_law(q, r) * r;
-}
-
 /* The integrand of the correction for short waves: the law at the phase phi of the wave at the
  * axis, times sum_j cos(j phi)/j^2. */
 static double at_axis(double phi, void *data) {
@@ -118,7 +106,7 @@ static double at_axis(double phi, void *data) {
   const double half = po_sin(0.5 * phi);
   const double gap = 2.0 * q->scene->amplitude * half * half - q->approach;
   const double sum = M_PI * M_PI / 6.0 - 0.5 * phi * (M_PI - 0.5 * phi);
-  return law_at(q, gap) * sum;
+  return law_at(q, gap, false) * sum;
 }
 
 /* Adds the integral of a function between two values of its variable to *sum. */
@@ -130,28 +118,18 @@ static po_status add_piece(po_integrand function, integral *q, double from, doub
   return status;
 }
 
-/* Adds the integral from the axis to `end`, wave by wave. */
-static po_status add_resolved(integral *q, double end, double *sum) {
+/* Adds the integral from the axis to `end`, and the correction for short waves. */
+static po_status add_inside(integral *q, double end, double *sum) {
   po_status failed = PO_OK;
+  if (q->short_waves) {
+    double at_the_axis = 0.0;
+    failed = add_piece(at_axis, q, 0.0, M_PI, &at_the_axis);
+    const double length = q->scene->wavelength / M_PI;
+    *sum -= length * length / (2.0 * M_PI) * at_the_axis;
+  }
   for (double r = 0.0; r < end && !failed;) {
     const double to = fmin(next_edge(q, r), end);
-    failed = add_piece(resolved, q, r, to, sum);
-    r = to;
-  }
-  return failed;
-}
-
-/* Adds the integral of the averaged law from the axis to `end`, and the correction for short waves.
- */
-static po_status add_short_waves(integral *q, double end, double *sum) {
-  double at_the_axis = 0.0;
-  po_status failed = add_piece(at_axis, q, 0.0, M_PI, &at_the_axis);
-  const double length = q->scene->wavelength / M_PI;
-  *sum -= length * length / (2.0 * M_PI) * at_the_axis;
-  const double first = first_edge(q);
-  for (double r = 0.0; r < end && !failed;) {
-    const double to = fmin(fmax(2.0 * r, first), end);
-    failed = add_piece(averaged_at, q, r, to, sum);
+    failed = add_piece(inside, q, r, to, sum);
     r = to;
   }
   return failed;
@@ -166,24 +144,26 @@ static po_status integrate(integral *q, double *sum) {
   po_status failed = po_watch_look();
   if (failed)
     return failed;
-  const bool bounded = isfinite(scene->outer_radius), mean = !bounded && has_short_waves(q);
+  const bool bounded = isfinite(scene->outer_radius);
+  q->short_waves = !bounded && has_short_waves(q);
   const double reach =
       po_initial_gap_radius(scene, NEAR_GAP + (q->from_zero ? 1.0 : fmax(0.0, q->approach)));
   const double end = bounded ? scene->outer_radius
-                     : mean  ? reach
-                             : po_averaging_radius(scene, po_averaging_phase(scene, reach));
+                     : q->short_waves
+                         ? reach
+                         : po_averaging_radius(scene, po_averaging_phase(scene, reach));
   const double pieces =
-      po_scene_is_wavy(scene) && !mean ? 2.0 * end / po_initial_gap_detail(scene) : 0.0;
+      po_scene_is_wavy(scene) && !q->short_waves ? 2.0 * end / po_initial_gap_detail(scene) : 0.0;
   if (!(pieces <= MOST_PIECES))
     return po_fail(PO_OUT_OF_NODES,
                    "the rigid load would be the sum of %.3g half waves up to radius %g, more than "
                    "%g; expected a longer wavelength or a smaller outer radius%s",
                    pieces, end, MOST_PIECES, bounded ? ", or none" : "");
   *sum = 0.0;
-  failed = mean ? add_short_waves(q, end, sum) : add_resolved(q, end, sum);
+  failed = add_inside(q, end, sum);
   if (!bounded && !failed) {
     q->begin = end;
-    failed = add_piece(averaged, q, 0.0, 1.0, sum);
+    failed = add_piece(beyond, q, 0.0, 1.0, sum);
   }
   return failed ? po_fail(failed, "the quadrature of the rigid load failed at approach %g",
                           q->approach)
