@@ -67,9 +67,7 @@ po_status po_elimination_create(const po_hierarchy *hierarchy, po_elimination **
   if (!e)
     return PO_NO_MEMORY;
   e->hierarchy = hierarchy;
-  e->skeleton = po_skeleton_get();
-  if (!e->skeleton)
-    return PO_NO_MEMORY;
+  e->skeleton = hierarchy->table->skeleton;
   widen(K, e->skeleton->value, e->value);
   return PO_OK;
 }
@@ -103,7 +101,7 @@ static double *at(const po_elimination *e, size_t cell, enum part part) {
 static int factorize_panel(po_elimination *e, size_t c, size_t panel) {
   const double *own = e->hierarchy->own[panel];
   const double *weight = e->hierarchy->weight + panel * N;
-  const double *rule = po_panel_table_get()->rule.weight, *factor = e->factor + panel * N;
+  const double *rule = e->hierarchy->table->rule.weight, *factor = e->factor + panel * N;
   double inverse[N * N], change[K * N], moment[K * N];
   e->state[c].is_quiet = true;
   for (int j = 0; j < N; ++j)

@@ -139,8 +139,8 @@ static void fill_product(const po_hierarchy *h, po_panel target, po_panel source
 }
 
 /* The kernel between the skeleton nodes of the halves of a cell. */
-static void fill_halves(po_panel cell, double *block) {
-  const double *x = po_skeleton_get()->node;
+static void fill_halves(const po_hierarchy *h, po_panel cell, double *block) {
+  const double *x = h->table->skeleton->node;
   const double begin = po_panel_begin(cell), half = 0.5 * po_panel_size(cell);
   double left[PO_SKELETON_NODES], right[PO_SKELETON_NODES];
   for (size_t i = 0; i < PO_SKELETON_NODES; ++i) {
@@ -204,7 +204,7 @@ static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, 
   else if (kind == PRODUCT)
     fill_product(h, *a, *b, block);
   else if (kind == HALVES)
-    fill_halves(*a, block);
+    fill_halves(h, *a, block);
   h->evaluations += kind == TAIL ? fill_tail(h, a, b, block) : values;
   if (with_reach)
     find_reach(block, block + PO_BLOCK_SIZE);

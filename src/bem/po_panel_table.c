@@ -8,6 +8,7 @@
 
 #include "po_elementary.h"
 #include "po_kernel.h"
+#include "po_skeleton.h"
 
 /* An offset of panels that are not near. */
 enum { FAR = 99 };
@@ -96,6 +97,9 @@ static void fill_legendre(const po_panel_rule *rule, po_legendre *legendre) {
 /* A table that could not be filled for lack of memory is filled by a later call. */
 static void fill_table(void) {
   if (is_filled || po_panel_rule_fill(PO_TABLE_ORDER, &table.rule))
+    return;
+  table.skeleton = po_skeleton_make(&table.rule);
+  if (!table.skeleton)
     return;
   for (int k = 0; k < PO_LOG_POSITIONS; ++k)
     fill_logarithm(&table.rule, LOG_POSITIONS[k], table.logarithm[k]);

@@ -1,9 +1,7 @@
 #include "po_skeleton.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
-#include <threads.h>
 
 #include "po_kernel.h"
 #include "po_linear.h"
@@ -112,17 +110,12 @@ static void evaluate(const samples *s, double function[PLACES][K], double x, dou
   }
 }
 
-static po_skeleton skeleton;
-static bool is_filled;
-static once_flag skeleton_once = ONCE_FLAG_INIT;
-
-static void fill(void) {
+const po_skeleton *po_skeleton_make(const po_panel_rule *rule) {
+  static po_skeleton skeleton;
   static double sample[PLACES][SOURCES], function[PLACES][K];
-  const po_panel_table *table = po_panel_table_get();
   samples s;
-  if (!table || fill_samples(&s))
-    return;
-  const po_panel_rule *rule = &table->rule;
+  if (fill_samples(&s))
+    return NULL;
   int chosen[K];
   fill_kernel(&s, sample);
   choose(sample, chosen, function);
@@ -151,10 +144,5 @@ static void fill(void) {
       for (int k = 0; k < K; ++k)
         skeleton.moment[k + K * j] += s.size[p] * function[p][k] * polynomial[j];
   }
-  is_filled = true;
-}
-
-const po_skeleton *po_skeleton_get(void) {
-  call_once(&skeleton_once, fill);
-  return is_filled ? &skeleton : NULL;
+  return &skeleton;
 }

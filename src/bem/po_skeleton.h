@@ -21,7 +21,7 @@
 
 enum { PO_SKELETON_NODES = 16, PO_SKELETON_SIZE = PO_SKELETON_NODES * PO_SKELETON_NODES };
 
-typedef struct {
+typedef struct po_skeleton {
   double node[PO_SKELETON_NODES]; /* the skeleton nodes on (0, 1) */
   /* L_k at the Gauss nodes of a panel: [i + 12 k] */
   double value[PO_TABLE_ORDER * PO_SKELETON_NODES];
@@ -32,8 +32,9 @@ typedef struct {
   double from_parent[2][PO_SKELETON_SIZE], to_parent[2][PO_SKELETON_SIZE];
 } po_skeleton;
 
-/* Returned: the basis, which the first call of any thread computes; NULL with a message if memory
- * runs out. */
-const po_skeleton *po_skeleton_get(void);
+/* Computes the basis for the table of panels, which others take it from. Given: the rule of a
+ * panel; no other thread calls this function. Returned: the basis, always the same; NULL with a
+ * message if memory runs out. */
+const po_skeleton *po_skeleton_make(const po_panel_rule *rule);
 
 #endif

@@ -1,5 +1,7 @@
 /* The hierarchical influence matrix against the dense one: products, largest coefficients, and the
  * factors of the bordered Jacobian. */
+#include <dlfcn.h>
+#include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +10,42 @@
 #include "po_linear.h"
 #include "po_random.h"
 #include "run.h"
+
+/* Takes the place of GSL's function. Fails in the call after this number of further calls. */
+static int calls_before_failure = -1;
+
+gsl_integration_glfixed_table *gsl_integration_glfixed_table_alloc(size_t n) {
+  gsl_integration_glfixed_table *(*alloc)(size_t) = NULL;
+  void *const of_gsl = dlsym(RTLD_NEXT, "gsl_integration_glfixed_table_alloc");
+  memcpy(&alloc, &of_gsl, sizeof alloc);
+  return calls_before_failure-- == 0 ? NULL : alloc(n);
+}
+
+/* Makes the matrix of one panel and its factors. */
+static po_status make_once(void) {
+  static po_panels panels;
+  po_hierarchy *h = NULL;
+  po_elimination *e = NULL;
+  const po_panel_table *table = po_panel_table_get();
+  po_panels_uniform(&panels, 1);
+  po_status status = table ? po_hierarchy_create(table, false, 6.0, &h) : PO_NO_MEMORY;
+  if (!status)
+    status = po_hierarchy_mesh(h, &panels);
+  if (!status)
+    status = po_elimination_create(h, &e);
+  po_elimination_destroy(e);
+  po_hierarchy_destroy(h);
+  return status;
+}
+
+/* If memory ran out in the last of the three rules that the tables of panels need, the first mesh
+ * ended the program, and all tables but one stayed empty. */
+START_TEST(tables_are_computed_later_if_memory_ran_out) {
+  calls_before_failure = _i;
+  ck_assert_int_eq(make_once(), PO_NO_MEMORY);
+  ck_assert_int_eq(make_once(), PO_OK);
+}
+END_TEST
 
 enum { MESHES = 5 };
 
@@ -274,6 +312,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, work_is_proportional_to_the_number_of_panels);
   tcase_add_loop_test(tests, factors_solve_the_bordered_system, 0, 3 * MESHES);
   tcase_add_test(tests, skeletons_are_as_accurate_as_stated);
+  tcase_add_loop_test(tests, tables_are_computed_later_if_memory_ran_out, 0, 3);
 }
 
 int main(void) {
