@@ -4,8 +4,8 @@
 
 #include "po_elementary.h"
 #include "po_initial_gap.h"
-#include "po_integral.h"
 #include "po_law.h"
+#include "po_quadrature.h"
 #include "po_scales.h"
 #include "po_watch.h"
 

@@ -1,5 +1,5 @@
 /* Quadrature rules on the unit interval; among them one for an element if the logarithmic
- * singularity of the kernel lies on the element or close to it. */
+ * singularity of the kernel lies on the element or close to it. Adaptive quadrature. */
 #ifndef PO_QUADRATURE_H
 #define PO_QUADRATURE_H
 
@@ -67,5 +67,16 @@ size_t po_near_rule_next(po_near_rule *rule, po_near_point point[PO_NEAR_PIECE_P
 /* Returned: whether a Gauss rule of n points over (0, 1) is exact to rounding if the singularity is
  * at x0. */
 int po_near_is_far(double x0, size_t n);
+
+/* A function of one variable; `data` is passed through from the caller. */
+typedef double (*po_integrand)(double x, void *data);
+
+/* The integral of f from `from` to `to`, by bisection of the interval with the largest error until
+ * the estimated error is at most the greater of `absolute` and `relative` times the integral, or is
+ * rounding. Returned: *integral. Status: PO_NOT_CONVERGED, without a message, if 200 intervals do
+ * not suffice or f is not finite. Source: the rule of 10 and 21 points of Gauss and Kronrod, as in
+ * QUADPACK (R. Piessens et al., Springer 1983), routine qag. */
+po_status po_integrate(po_integrand f, void *data, double from, double to, double absolute,
+                       double relative, double *integral);
 
 #endif

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "po_elementary.h"
-#include "po_two_functions.h"
+#include "po_two.h"
 
 static double wave_gap(po_wave wave, double r) {
   const double half = po_sinpi(r / wave.length); /* 1 - cos(2x) = 2 sin^2 x does not cancel */

@@ -4,7 +4,7 @@
 
 #include "po_elementary.h"
 #include "po_law_kind.h"
-#include "po_two_functions.h"
+#include "po_two.h"
 
 /* Powers beyond are refused: x^n of the closest gaps would overflow. */
 static const double LARGEST_POWER = 60.0;

@@ -5,7 +5,7 @@
 #include "po_elementary.h"
 #include "po_law_kind.h"
 #include "po_special.h"
-#include "po_two_functions.h"
+#include "po_two.h"
 
 /* The range of the law of the paper is 1: that of a Morse law with the same stiffness at the
  * equilibrium distance, 2 a^2 = 16, is taken to be 1, too. */

@@ -3,7 +3,7 @@
 
 #include "po_elementary.h"
 #include "po_profile_kind.h"
-#include "po_two_functions.h"
+#include "po_two.h"
 
 static double sphere_gap(const po_profile *profile, double r) {
   (void)profile;

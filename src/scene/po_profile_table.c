@@ -10,7 +10,6 @@
 #include "po_hermite.h"
 #include "po_memory.h"
 #include "po_profile_kind.h"
-#include "po_spline.h"
 
 /* A spline of every other row needs four rows. */
 enum { LEAST_ROWS = 8 };

@@ -8,7 +8,7 @@
 #include "po_profile_kind.h"
 #include "po_profile_table.h"
 #include "po_root.h"
-#include "po_two_functions.h"
+#include "po_two.h"
 
 /* The interval of a radius; the last one beyond the end. */
 static size_t interval_of(const po_profile_table *t, double r) {

@@ -8,7 +8,6 @@
 #include "po_profile_table.h"
 #include "po_quadrature.h"
 #include "po_special.h"
-#include "po_struve.h"
 
 static const po_abel ZERO = {0.0, 0.0, 0.0};
 

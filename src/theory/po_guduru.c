@@ -6,7 +6,7 @@
 
 #include "po_elementary.h"
 #include "po_root.h"
-#include "po_struve.h"
+#include "po_special.h"
 
 /* The coefficients of Eq 5, lengths in eps, loads in pi w R, e = E* eps/w = sqrt(R/mu^3). */
 typedef struct {

@@ -4,9 +4,9 @@
 
 #include "po_elementary.h"
 #include "po_initial_gap.h"
-#include "po_integral.h"
 #include "po_law_kind.h"
 #include "po_profile_kind.h"
+#include "po_quadrature.h"
 #include "po_root.h"
 #include "po_scales.h"
 #include "po_special.h"

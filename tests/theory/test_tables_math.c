@@ -9,11 +9,10 @@
 #include "po_elementary.h"
 #include "po_kernel.h"
 #include "po_special.h"
-#include "po_struve.h"
-#include "po_two_functions.h"
+#include "po_two.h"
 #include "table.h"
 
-/* The tolerances stated in po_struve.h and po_kernel.h; 4 ulp. */
+/* The tolerances stated in po_special.h and po_kernel.h; 4 ulp. */
 static const double STRUVE_ACCURACY = 1e-14, KERNEL_ACCURACY = 4 * DBL_EPSILON;
 
 START_TEST(struve_agrees_with_the_table) {

@@ -5,7 +5,7 @@
 #include "po_elementary.h"
 #include "po_guduru.h"
 #include "po_initial_gap.h"
-#include "po_integral.h"
+#include "po_quadrature.h"
 #include "profiles.h"
 
 /* The tolerances that the headers state. */

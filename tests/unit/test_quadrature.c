@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "po_hermite.h"
-#include "po_integral.h"
 #include "po_quadrature.h"
 #include "run.h"
 

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "po_hermite.h"
-#include "po_spline.h"
 #include "run.h"
 
 static const double X[] = {0.0, 0.3, 1.1, 1.9, 3.7, 4.0, 6.2};

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "po_root.h"
-#include "po_struve.h"
+#include "po_special.h"
 #include "run.h"
 
 /* mpmath.struveh(n, x) with 40 digits, printed with 20: x, H0, H1 */

@@ -11,7 +11,7 @@
 #include "po_guduru.h"
 #include "po_kernel.h"
 #include "po_law.h"
-#include "po_struve.h"
+#include "po_special.h"
 #include "po_wavy_rigid.h"
 #include "run.h"
 

@@ -6,7 +6,7 @@
 #include "po_estimates.h"
 #include "po_guduru.h"
 #include "po_law.h"
-#include "po_struve.h"
+#include "po_special.h"
 #include "po_wavy_rigid.h"
 #include "run.h"
 

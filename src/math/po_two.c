@@ -1,4 +1,4 @@
-#include "po_two_functions.h"
+#include "po_two.h"
 
 #include "po_elementary.h"
 
