@@ -21,7 +21,7 @@ po_status po_gauss_rule(size_t n, double *node, double *weight) {
   return PO_OK;
 }
 
-void po_log_rule(double node[PO_LOG_RULE_POINTS], double weight[PO_LOG_RULE_POINTS]) {
+static void fill_log_rule(double *node, double *weight) {
   /* x = 1/(1 + exp(-pi sinh t)) with the trapezoidal rule in t. The ends are chosen so that x log x
    * is below 1e-19 at the left end and 1 - x is below 1e-17 at the right end. */
   const double left = -3.32, right = 3.20;
@@ -61,7 +61,7 @@ void po_lagrange(size_t n, const double *node, const double *barycentric, double
 }
 
 po_status po_near_tables_fill(po_near_tables *tables) {
-  po_log_rule(tables->log_node, tables->log_weight);
+  fill_log_rule(tables->log_node, tables->log_weight);
   return po_gauss_rule(PO_NEAR_GAUSS_POINTS, tables->gauss_node, tables->gauss_weight);
 }
 

@@ -16,21 +16,18 @@ void po_gsl_return_errors(void);
  * Returned: node, n, ascending; weight, n, of sum 1. Status: PO_NO_MEMORY. */
 po_status po_gauss_rule(size_t n, double *node, double *weight);
 
-enum { PO_LOG_RULE_POINTS = 57 };
-
-/* A tanh-sinh rule on (0, 1) for integrands with a singularity like log(x) at 0 and analytic
- * elsewhere. Nodes near 0 have full relative precision. Accuracy: 1e-15 for log(x) times
- * polynomials of degree up to 20 (tests/unit/test_quadrature.c). */
-void po_log_rule(double node[PO_LOG_RULE_POINTS], double weight[PO_LOG_RULE_POINTS]);
-
 /* The Lagrange polynomials of the nodes by the barycentric formula. po_barycentric_weights returns
  * the weights, n; po_lagrange returns value[j] = l_j(x), n. */
 void po_barycentric_weights(size_t n, const double *node, double *barycentric);
 void po_lagrange(size_t n, const double *node, const double *barycentric, double x, double *value);
 
-enum { PO_NEAR_GAUSS_POINTS = 16, PO_NEAR_PIECE_POINTS = PO_LOG_RULE_POINTS };
+enum { PO_NEAR_GAUSS_POINTS = 16, PO_LOG_RULE_POINTS = 57 };
+enum { PO_NEAR_PIECE_POINTS = PO_LOG_RULE_POINTS };
 
-/* The rules of the pieces of a po_near_rule; filled once by po_near_tables_fill. */
+/* The rules of the pieces of a po_near_rule on (0, 1), filled once by po_near_tables_fill: Gauss's,
+ * and a tanh-sinh rule for integrands with a singularity like log(x) at 0 and analytic elsewhere.
+ * Nodes of the latter near 0 have full relative precision. Accuracy: 1e-15 for log(x) times
+ * polynomials of degree up to 20 (tests/unit/test_quadrature.c). */
 typedef struct {
   double gauss_node[PO_NEAR_GAUSS_POINTS], gauss_weight[PO_NEAR_GAUSS_POINTS];
   double log_node[PO_LOG_RULE_POINTS], log_weight[PO_LOG_RULE_POINTS];
