@@ -51,12 +51,8 @@ PO_INLINE void apply_transposed(size_t groups, size_t columns, const double *a, 
   }
 }
 
-PO_FOR_ALL_WIDTHS void po_block_apply(size_t rows, size_t columns, const double *a, const double *x,
-                                      double *y) {
-  if (rows == 12)
-    apply(3, columns, a, x, y, y);
-  else
-    apply(4, columns, a, x, y, y);
+PO_FOR_ALL_WIDTHS void po_block_apply(const double *block, const double *x, double *y) {
+  apply(PO_TABLE_ORDER / LANES, PO_TABLE_ORDER, block, x, y, y);
 }
 
 PO_FOR_ALL_WIDTHS void po_block_apply_from(size_t columns, const double *a, const double *x,

@@ -10,10 +10,10 @@
 /* Values of the influence block of two panels. */
 enum { PO_BLOCK_SIZE = PO_TABLE_ORDER * PO_TABLE_ORDER };
 
-/* y += A x. Given: rows, 12 or 16. */
-void po_block_apply(size_t rows, size_t columns, const double *a, const double *x, double *y);
+/* y += B x, for the influence block of two panels. */
+void po_block_apply(const double *block, const double *x, double *y);
 
-/* y += A^T x. */
+/* y += A^T x. Given: rows, 12 or 16. */
 void po_block_apply_transposed(size_t rows, size_t columns, const double *a, const double *x,
                                double *y);
 

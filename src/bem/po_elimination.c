@@ -345,7 +345,7 @@ static void add_to_tail(const po_elimination *e, size_t panel, const double *x, 
   double product[N];
   for (size_t j = 0; j < N; ++j)
     product[j] = e->factor[panel * N + j] * x[j];
-  po_block_apply(N, N, e->hierarchy->to_tail[panel], product, tail);
+  po_block_apply(e->hierarchy->to_tail[panel], product, tail);
 }
 
 void po_elimination_solve(po_elimination *e, double *x) {

@@ -1,5 +1,4 @@
 /* Products with the influence matrix in hierarchical form. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "po_hierarchy.h"
@@ -28,49 +27,48 @@ static void apply_kernel(po_hierarchy *h) {
     const po_cell *cell = h->cell + c;
     if (po_cell_is_panel(cell))
       continue;
-    po_block_apply(N, N, h->from_parent[0], h->field + c * N, h->field + (c + 1) * N);
-    po_block_apply(N, N, h->from_parent[1], h->field + c * N, h->field + cell->right * N);
+    po_block_apply(h->from_parent[0], h->field + c * N, h->field + (c + 1) * N);
+    po_block_apply(h->from_parent[1], h->field + c * N, h->field + cell->right * N);
+  }
+}
+
+/* The weights belong to the tractions: they come before the kernel, in the transpose after it. */
+static void apply(po_hierarchy *h, bool transposed, const double *x, double *y) {
+  for (size_t k = 0; k < h->panels.count; ++k) {
+    double *charge = h->charge + (size_t)h->cell_of_panel[k] * N;
+    for (size_t j = k * N; j < (k + 1) * N; ++j)
+      *charge++ = transposed ? x[j] : h->weight[j] * x[j];
+  }
+  apply_kernel(h);
+  for (size_t k = 0; k < h->panels.count; ++k) {
+    const double *field = h->field + (size_t)h->cell_of_panel[k] * N;
+    for (size_t j = k * N; j < (k + 1) * N; ++j, ++field)
+      y[j] = transposed ? h->weight[j] * *field : *field;
+  }
+  if (h->unbounded)
+    memset(y + h->panels.count * N, 0, N * sizeof *y);
+  for (size_t k = 0; k < h->product.count; ++k) {
+    const po_interaction *i = h->product.pair + k;
+    const size_t target = (size_t)i->target * N, source = (size_t)i->source * N;
+    if (transposed)
+      po_block_apply_transposed(N, N, i->block, x + target, y + source);
+    else
+      po_block_apply(i->block, x + source, y + target);
   }
 }
 
 void po_hierarchy_apply(po_hierarchy *h, const double *x, double *y) {
-  for (size_t k = 0; k < h->panels.count; ++k) {
-    double *charge = h->charge + (size_t)h->cell_of_panel[k] * N;
-    for (size_t j = 0; j < N; ++j)
-      charge[j] = h->weight[k * N + j] * x[k * N + j];
-  }
-  apply_kernel(h);
-  for (size_t k = 0; k < h->panels.count; ++k)
-    memcpy(y + k * N, h->field + (size_t)h->cell_of_panel[k] * N, N * sizeof *y);
-  if (h->unbounded)
-    memset(y + h->panels.count * N, 0, N * sizeof *y);
-  for (size_t k = 0; k < h->product.count; ++k) {
-    const po_interaction *i = h->product.pair + k;
-    po_block_apply(N, N, i->block, x + (size_t)i->source * N, y + (size_t)i->target * N);
-  }
+  apply(h, false, x, y);
 }
 
 void po_hierarchy_apply_transposed(po_hierarchy *h, const double *x, double *y) {
-  for (size_t k = 0; k < h->panels.count; ++k)
-    memcpy(h->charge + (size_t)h->cell_of_panel[k] * N, x + k * N, N * sizeof *x);
-  apply_kernel(h);
-  for (size_t k = 0; k < h->panels.count; ++k) {
-    const double *field = h->field + (size_t)h->cell_of_panel[k] * N;
-    for (size_t j = 0; j < N; ++j)
-      y[k * N + j] = h->weight[k * N + j] * field[j];
-  }
-  if (h->unbounded)
-    memset(y + h->panels.count * N, 0, N * sizeof *y);
-  for (size_t k = 0; k < h->product.count; ++k) {
-    const po_interaction *i = h->product.pair + k;
-    po_block_apply_transposed(N, N, i->block, x + (size_t)i->target * N, y + (size_t)i->source * N);
-  }
+  apply(h, true, x, y);
 }
 
 /* The kernel decreases with the distance, so the largest coefficient is in the panel of the node or
  * in a neighbour. */
 void po_hierarchy_reach(const po_hierarchy *h, double *reach) {
-  memset(reach, 0, (h->panels.count + (h->unbounded ? 1 : 0)) * N * sizeof *reach);
+  memset(reach, 0, po_hierarchy_nodes(h) * sizeof *reach);
   for (size_t k = 0; k < h->product.count; ++k) {
     const po_interaction *pair = h->product.pair + k;
     const double *of_block = pair->block + PO_BLOCK_SIZE;
