@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 /* The largest number of panels of a mesh: matrix and factors then take 1.6 GB, and an equilibrium
- * about a second. A surface has room for fewer if its scene has few waves (po_adaptive.c). */
+ * about a second. A surface has room for fewer if its scene has few waves (po_surface_panels.c). */
 enum { PO_MOST_PANELS = 16384 };
 
 /* At the deepest level the nodes of a panel at the end of the domain are still some ten roundings

@@ -154,7 +154,7 @@ static po_surface *allocate_surface(size_t n, bool elastic) {
   po_surface *s = po_allocate(1, sizeof *s);
   if (!s)
     return NULL;
-  s->n = n;
+  s->n = s->capacity = n;
   s->node = po_arrays_allocate(&s->arrays, n, sizeof *s->node);
   s->weight = po_arrays_allocate(&s->arrays, n, sizeof *s->weight);
   s->length = po_arrays_allocate(&s->arrays, n, sizeof *s->length);
@@ -282,6 +282,7 @@ done:
 void po_surface_destroy(po_surface *surface) {
   if (!surface)
     return;
+  po_hierarchy_destroy(surface->hierarchy);
   po_arrays_free(&surface->arrays);
   free(surface);
 }

@@ -15,18 +15,22 @@
 #include "po_scene.h"
 #include "po_status.h"
 
-/* A meshed surface. Radii in eps; influence in eps (E* = 1), weights in eps^2. */
+/* A meshed surface, with a fixed mesh of rings or triangles, or with panels, whose mesh can be
+ * changed: the surface stays the same object. Other files read it, and change the draft only. Radii
+ * in eps; influence in eps (E* = 1), weights in eps^2. */
 typedef struct {
-  size_t n;
+  size_t n, capacity; /* nodes, and those for which there is memory */
   size_t resolved;    /* nodes that carry the law at a point; the others, farther out, represent
                          whole wavelengths and carry the averaged law (po_law_averaged) */
-  double core_radius; /* radius at which the elements of the scheme end */
+  double core_radius; /* radius at which the elements of the scheme end; of panels, their domain */
   double *node;       /* n, ascending up to the last panel of an unbounded surface */
   double *weight;     /* n: integral of p r dr = sum of weight * p */
   double *length;     /* n: integral of p dr = sum of length * p */
   double *influence;  /* n x n, column-major: deflection at node i per unit traction at node j; NULL
                          for a rigid surface and for panels */
   po_hierarchy *hierarchy; /* of panels: the same for a core of radius 1; NULL for others */
+  po_panels *draft;        /* of panels: a mesh for the caller to make, and for po_surface_mesh */
+  bool wavy;               /* of panels: whether that to infinity represents wavelengths */
   double *reach; /* n: largest modulus in each column of the influence matrix; NULL for a rigid
                     surface */
   uint64_t kernel_evaluations;
@@ -55,5 +59,28 @@ double po_surface_core(const po_scene *scene, double deepest);
 po_status po_surface_create(const po_scene *scene, const po_mesh *mesh, double core_radius,
                             bool elastic, po_surface **surface);
 void po_surface_destroy(po_surface *surface);
+
+/* Creates a surface with 2^level equal panels on [0, domain]. If the scene is unbounded, one more
+ * panel reaches from there to infinity and carries the law averaged over the waviness; `domain`
+ * must then be a radius from po_averaging_phase. Given: domain, eps. Status: PO_NO_MEMORY. */
+po_status po_surface_create_panels(const po_scene *scene, double domain, uint32_t level,
+                                   po_surface **surface);
+
+/* The panels of the current mesh, without the one to infinity; NULL for a fixed mesh. */
+static inline const po_panels *po_surface_panels(const po_surface *surface) {
+  return surface->hierarchy ? &surface->hierarchy->panels : NULL;
+}
+
+/* Finds the panels to which n nodes belong. Given: node, n radii (eps) inside the domain,
+ * ascending. Status: PO_BAD_INPUT if they are not the nodes of panels. */
+po_status po_surface_panels_of(const po_surface *surface, size_t n, const double *node,
+                               po_panels *panels);
+
+/* Remeshes a surface of panels. Status: PO_OUT_OF_NODES, and the surface is unchanged;
+ * PO_NO_MEMORY, and it cannot be used. */
+po_status po_surface_mesh(po_surface *surface, const po_panels *panels);
+
+/* Changes the radius of the domain, eps; the panels keep their places relative to it. */
+void po_surface_resize(po_surface *surface, double domain);
 
 #endif

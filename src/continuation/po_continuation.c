@@ -126,8 +126,8 @@ static double undeformed_gap(void *data, double r) {
 static po_status mesh_undeformed(po_continuation *t, double approach) {
   undeformed u = {t->c.e->scene, approach};
   const po_gap_field field = {undeformed_gap, &u};
-  po_panels *const panels = &t->c.adaptive->draft;
-  po_panels_copy(po_adaptive_panels(t->c.adaptive), panels);
+  po_panels *const panels = t->c.e->surface->draft;
+  po_panels_copy(po_surface_panels(t->c.e->surface), panels);
   const po_status status = po_resolution_panels(&t->c.resolution, &field, panels);
   return status ? status : po_corrector_mesh(&t->c, panels);
 }
@@ -180,7 +180,7 @@ static po_status start(po_continuation *t) {
   if (status)
     return po_fail(status, "no equilibrium was found at the start of the trace, approach %g",
                    approach);
-  po_solution_finish(p, e, t->c.adaptive);
+  po_solution_finish(p, e);
   e->factorized = false; /* their border is the approach, not the arclength functional */
   return po_corrector_want_mesh(&t->c, p);
 }
@@ -235,8 +235,8 @@ po_status po_continuation_reverse(po_continuation *t, po_branch_visit visit_back
   return go_on(t);
 }
 
-po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adaptive,
-                                 po_allowance allowed, const po_continuation_options *options,
+po_status po_continuation_create(po_equilibrium *equilibrium, po_allowance allowed,
+                                 const po_continuation_options *options,
                                  po_continuation **continuation) {
   po_continuation *t = *continuation = po_allocate(1, sizeof *t);
   if (!t)
@@ -244,12 +244,13 @@ po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adapt
   t->options = *options;
   t->step = FIRST_STEP;
   t->error_factor = NAN;
-  po_status status = po_corrector_allocate(&t->c, equilibrium, adaptive, allowed);
+  const size_t capacity = equilibrium->surface->capacity;
+  po_status status = po_corrector_allocate(&t->c, equilibrium, allowed);
   po_solution *const points[] = {&t->previous, &t->current, &t->next, &t->inner, &t->spare};
   for (size_t k = 0; k < sizeof points / sizeof *points && !status; ++k)
-    status = po_solution_allocate(points[k], t->c.capacity, &t->c.arrays);
+    status = po_solution_allocate(points[k], capacity, &t->c.arrays);
   for (size_t k = 0; k < PO_MOST_EVENTS && !status; ++k)
-    status = po_solution_allocate(&t->at_event[k], t->c.capacity, &t->c.arrays);
+    status = po_solution_allocate(&t->at_event[k], capacity, &t->c.arrays);
   if (!status)
     return PO_OK;
   po_continuation_destroy(t);

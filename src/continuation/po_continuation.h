@@ -15,7 +15,6 @@
 #ifndef PO_CONTINUATION_H
 #define PO_CONTINUATION_H
 
-#include "po_adaptive.h"
 #include "po_branch_point.h"
 #include "po_resolution.h"
 
@@ -44,11 +43,11 @@ po_continuation_options po_continuation_options_default(void);
 
 typedef struct po_continuation po_continuation;
 
-/* Given: an equilibrium; the panels of its surface, NULL for a fixed mesh, and the errors that
- * their resolution may leave; options, which are copied. Equilibrium, panels and the data of the
- * options must outlive the continuation. Status: PO_NO_MEMORY. */
-po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adaptive,
-                                 po_allowance allowed, const po_continuation_options *options,
+/* Given: an equilibrium; the errors that the resolution of the panels of its surface may leave;
+ * options, which are copied. Equilibrium and the data of the options must outlive the continuation.
+ * Status: PO_NO_MEMORY. */
+po_status po_continuation_create(po_equilibrium *equilibrium, po_allowance allowed,
+                                 const po_continuation_options *options,
                                  po_continuation **continuation);
 void po_continuation_destroy(po_continuation *continuation);
 

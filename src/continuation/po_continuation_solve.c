@@ -4,7 +4,7 @@
 #include "po_continuation_parts.h"
 
 bool po_continuation_moves(const po_continuation *t) {
-  return t->c.adaptive != NULL;
+  return po_surface_panels(t->c.e->surface) != NULL;
 }
 
 static bool too_large(void *prediction, po_panel panel) {
@@ -12,7 +12,7 @@ static bool too_large(void *prediction, po_panel panel) {
 }
 
 static bool mesh_serves(const po_continuation *t, po_prediction *p) {
-  const po_panels *panels = po_adaptive_panels(t->c.adaptive);
+  const po_panels *panels = po_surface_panels(t->c.e->surface);
   for (size_t k = 0; k < panels->count; ++k)
     if (po_prediction_too_large(p, panels->panel[k], 2.0))
       return false;
@@ -41,7 +41,7 @@ static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_me
     guess(t, p);
     return PO_OK;
   }
-  po_panels *const panels = &t->c.adaptive->draft;
+  po_panels *const panels = t->c.e->surface->draft;
   po_panels_uniform(panels, 1);
   if (!po_panels_refine(panels, INT_MAX, too_large, p))
     return t->c.trouble = po_resolution_fail(panels);

@@ -13,24 +13,19 @@ enum { MOST_RENEWALS = 2, MOST_FACTORS = 2 };
 
 static const double NEAR = 0.1;
 
-po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive,
-                                po_allowance allowed) {
-  *c = (po_corrector){.e = e,
-                      .adaptive = adaptive,
-                      .resolution = {e, allowed},
-                      .capacity = adaptive ? adaptive->capacity : e->n,
-                      .direction = 1,
-                      .farthest = INFINITY};
-  c->border = po_arrays_reserve(&c->arrays, c->capacity + 1, sizeof *c->border);
-  c->guess = po_arrays_reserve(&c->arrays, c->capacity + 1, sizeof *c->guess);
-  c->coordinate = po_arrays_reserve(&c->arrays, c->capacity + 1, sizeof *c->coordinate);
+po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_allowance allowed) {
+  const size_t size = e->surface->capacity + 1;
+  *c = (po_corrector){.e = e, .resolution = {e, allowed}, .direction = 1, .farthest = INFINITY};
+  c->border = po_arrays_reserve(&c->arrays, size, sizeof *c->border);
+  c->guess = po_arrays_reserve(&c->arrays, size, sizeof *c->guess);
+  c->coordinate = po_arrays_reserve(&c->arrays, size, sizeof *c->coordinate);
   return c->arrays.ran_out ? PO_NO_MEMORY : PO_OK;
 }
 
 po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
-  if (po_panels_equal(panels, po_adaptive_panels(c->adaptive)))
+  if (po_panels_equal(panels, po_surface_panels(c->e->surface)))
     return PO_OK;
-  c->trouble = po_adaptive_mesh(c->adaptive, panels);
+  c->trouble = po_surface_mesh(c->e->surface, panels);
   if (c->trouble)
     return c->trouble;
   po_equilibrium_remesh(c->e);
@@ -50,15 +45,16 @@ po_status po_corrector_adapt(po_corrector *c, const po_gap_field *field, po_pane
 }
 
 po_status po_corrector_want_mesh(po_corrector *c, po_solution *p) {
-  if (!c->adaptive)
+  if (!po_surface_panels(c->e->surface))
     return PO_OK;
-  po_solution_field solved = {p, c->e->scene, c->adaptive->surface.core_radius, 0};
+  po_solution_field solved = {p, c->e->scene, c->e->surface->core_radius, 0};
   po_panels_copy(p->panels, p->wanted);
   return po_corrector_adapt(c, &(po_gap_field){po_solution_gap, &solved}, p->wanted);
 }
 
 bool po_corrector_is_resolved(const po_corrector *c, const po_solution *p) {
-  return !c->adaptive || po_resolution_excess(&c->resolution, p->panels, p->state) <= 1.0;
+  return !po_surface_panels(c->e->surface) ||
+         po_resolution_excess(&c->resolution, p->panels, p->state) <= 1.0;
 }
 
 po_status po_corrector_follow_solved(po_corrector *c, po_solution *p, po_solution *spare) {
@@ -73,7 +69,8 @@ po_status po_corrector_follow_solved(po_corrector *c, po_solution *p, po_solutio
 }
 
 size_t po_corrector_moving_nodes(const po_corrector *c) {
-  return c->adaptive ? po_adaptive_panels(c->adaptive)->count * PO_TABLE_ORDER : 0;
+  const po_panels *panels = po_surface_panels(c->e->surface);
+  return panels ? panels->count * PO_TABLE_ORDER : 0;
 }
 
 void po_corrector_guess(po_corrector *c, const po_solution *p) {
@@ -211,8 +208,8 @@ static po_status correct(po_corrector *c, const po_solution *from, double distan
 static po_status find_tangent(po_corrector *c, const po_solution *from, double precision,
                               po_solution *out) {
   po_equilibrium *e = c->e;
-  po_solution_take_state(out, e, c->adaptive);
-  if (c->adaptive && po_equilibrium_is_narrow(e) && out->edges.count > 0)
+  po_solution_take_state(out, e);
+  if (po_surface_panels(e->surface) && po_equilibrium_is_narrow(e) && out->edges.count > 0)
     return po_scaled_tangent(e, from->rate, precision, out);
   const po_status status = po_equilibrium_tangent(e, precision, out->tangent);
   if (!status)

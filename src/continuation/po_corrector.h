@@ -12,11 +12,9 @@
 
 typedef struct {
   po_equilibrium *e;
-  po_adaptive *adaptive; /* NULL for a fixed mesh */
   po_resolution resolution;
-  size_t capacity;        /* largest number of nodes */
-  double *border, *guess; /* capacity + 1 */
-  double *coordinate;     /* capacity + 1: work, coordinates of the arclength */
+  double *border, *guess; /* capacity of the surface + 1 */
+  double *coordinate;     /* as many: work, coordinates of the arclength */
   po_arrays arrays;       /* these, and the solutions of the owner, who frees them */
   int direction;          /* of the trace: 1 forward, -1 reverse; 0: any orientation is accepted */
   double farthest;        /* error of a guess, relative to 1 + H, above which a solve is given up;
@@ -25,10 +23,9 @@ typedef struct {
                         panels */
 } po_corrector;
 
-/* Given: equilibrium and panels (NULL for a fixed mesh), which must outlive the corrector; the
- * errors that the resolution of panels may leave. Status: PO_NO_MEMORY. */
-po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive,
-                                po_allowance allowed);
+/* Given: equilibrium, which must outlive the corrector; the errors that the resolution of panels
+ * may leave. Status: PO_NO_MEMORY. */
+po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_allowance allowed);
 
 /* Adapts panels so that they resolve a field with a margin. Status: PO_OUT_OF_NODES, which is also
  * stored in `trouble`. */

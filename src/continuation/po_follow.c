@@ -36,7 +36,7 @@ typedef struct {
 struct po_follower {
   po_follow_options options;
   po_scene scene; /* at the present value of the parameter */
-  po_adaptive *adaptive;
+  po_surface *surface;
   po_equilibrium *e;
   po_corrector c;
   po_event_kind of;
@@ -176,7 +176,7 @@ static double error_of(predictor *f, const po_solution *solved) {
 /* Sets the scene of a parameter, on the current mesh. */
 static void set_scene(po_follower *f, double at) {
   f->options.scene_at(f->options.data, at, &f->scene);
-  po_adaptive_resize(f->adaptive, f->options.domain_of(&f->scene));
+  po_surface_resize(f->surface, f->options.domain_of(&f->scene));
   po_equilibrium_rescale(f->e);
   po_equilibrium_remesh(f->e);
 }
@@ -189,12 +189,12 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
   f->options = *options;
   options->scene_at(options->data, at, &f->scene);
   po_status status =
-      po_adaptive_create(&f->scene, options->domain_of(&f->scene), ROOT_LEVEL, &f->adaptive);
-  const size_t capacity = status ? 0 : f->adaptive->capacity;
+      po_surface_create_panels(&f->scene, options->domain_of(&f->scene), ROOT_LEVEL, &f->surface);
+  const size_t capacity = status ? 0 : f->surface->capacity;
   if (!status)
-    status = po_equilibrium_create(&f->scene, &f->adaptive->surface, capacity, &f->e);
+    status = po_equilibrium_create(&f->scene, f->surface, &f->e);
   if (!status)
-    status = po_corrector_allocate(&f->c, f->e, f->adaptive, options->allowed);
+    status = po_corrector_allocate(&f->c, f->e, options->allowed);
   for (size_t k = 0; k <= MARKS && !status; ++k)
     status = po_solution_allocate(&f->marks[k].point, capacity, &f->c.arrays);
   if (!status)
@@ -215,7 +215,7 @@ void po_follow_destroy(po_follower *f) {
     return;
   po_arrays_free(&f->c.arrays);
   po_equilibrium_destroy(f->e);
-  po_adaptive_destroy(f->adaptive);
+  po_surface_destroy(f->surface);
   free(f);
 }
 
@@ -238,7 +238,7 @@ static void accept(po_follower *f, double at) {
   mark *next = next_mark(f);
   next->at = at;
   next->scene = f->scene;
-  next->domain = f->adaptive->surface.core_radius;
+  next->domain = f->surface->core_radius;
   f->latest = (f->latest + 1) % (MARKS + 1);
   f->count += f->count < MARKS;
 }
@@ -279,7 +279,7 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
     predict_still(f, at, &p);
   }
   set_scene(f, at);
-  po_panels *const panels = &f->adaptive->draft;
+  po_panels *const panels = f->surface->draft;
   po_panels_copy(mark_of(f, 0)->point.panels, panels);
   po_status status = po_corrector_adapt(&f->c, &(po_gap_field){predicted_gap, &p}, panels);
   if (!status)
@@ -381,11 +381,11 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
 }
 
 double po_follow_domain(const po_follower *f) {
-  return f->adaptive->surface.core_radius;
+  return f->surface->core_radius;
 }
 
 po_work po_follow_work(const po_follower *f) {
   po_work work = f->e->work;
-  work.kernel_evaluations = f->adaptive->surface.kernel_evaluations;
+  work.kernel_evaluations = f->surface->kernel_evaluations;
   return work;
 }

@@ -95,9 +95,9 @@ static void move(po_corrector *c, const po_solution *from, double step, po_solut
     p->state[j] += by * p->tangent[j];
   po_equilibrium_evaluate(c->e, p->state);
   if (po_equilibrium_is_narrow(c->e)) /* the rates hardly change, and would be less precise */
-    po_solution_take_state(p, c->e, c->adaptive);
+    po_solution_take_state(p, c->e);
   else
-    po_solution_finish(p, c->e, c->adaptive);
+    po_solution_finish(p, c->e);
 }
 
 /* Given: the value of the arclength functional of `from` at which the search begins. */
@@ -202,7 +202,7 @@ static po_status solve_finer(po_corrector *c, const po_refinement *how, po_refin
   c->e->precision = PO_FINEST_PRECISION;
   for (double part = CONTRIBUTES; status == PO_OUT_OF_NODES && part <= MOST_CONTRIBUTES;
        part *= COARSER) {
-    po_panels *const panels = &c->adaptive->draft;
+    po_panels *const panels = c->e->surface->draft;
     c->trouble = PO_OK;
     status = finer_panels(c, r->point, part, panels)
                  ? solve_on(c, panels, how, r->point, finer, value)
@@ -239,7 +239,7 @@ static po_status estimate(po_corrector *c, const po_refinement *how, po_refined 
  * a solution on another strand of the branch would show as a large change. */
 po_status po_refine(po_corrector *c, const po_refinement *how, po_refined *r) {
   po_panels *const before = how->spare[0]->wanted;
-  po_panels_copy(po_adaptive_panels(c->adaptive), before);
+  po_panels_copy(po_surface_panels(c->e->surface), before);
   const int direction = c->direction;
   c->direction = 0;
   const po_status status = estimate(c, how, r);

@@ -33,8 +33,9 @@ void po_equilibrium_remesh(po_equilibrium *e) {
   }
 }
 
-po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface, size_t capacity,
+po_status po_equilibrium_create(const po_scene *scene, po_surface *surface,
                                 po_equilibrium **equilibrium) {
+  const size_t capacity = surface->capacity;
   po_equilibrium *e = po_allocate(1, sizeof *e);
   *equilibrium = e;
   if (!e)

@@ -54,7 +54,7 @@ enum { PO_MOST_WEAK = 4 };
 
 typedef struct {
   const po_scene *scene;
-  const po_surface *surface;
+  po_surface *surface;
   size_t n;
   double radius, amplitude, coupling; /* amplitude: by which the law is averaged */
   bool energy_at_zero; /* the energy beyond the core is relative to that of the initial gap */
@@ -102,9 +102,8 @@ typedef struct {
   po_arrays arrays;            /* all but the matrices of `factors` */
 } po_equilibrium;
 
-/* Given: scene and surface, which must outlive the object; the number of nodes for which memory is
- * allocated, at least that of the surface. Status: PO_NO_MEMORY. */
-po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface, size_t capacity,
+/* Given: scene and surface, which must outlive the object. Status: PO_NO_MEMORY. */
+po_status po_equilibrium_create(const po_scene *scene, po_surface *surface,
                                 po_equilibrium **equilibrium);
 
 /* Must be called after the mesh of the surface or the scene changed. The factors are discarded. */

@@ -3,7 +3,6 @@
 #ifndef PO_RESOLUTION_H
 #define PO_RESOLUTION_H
 
-#include "po_adaptive.h"
 #include "po_equilibrium.h"
 
 /* A gap as a function of the radius, whose traction is to be resolved. */

@@ -232,13 +232,14 @@ static void fill_slope(po_solution *p, double domain) {
   }
 }
 
-void po_solution_take_state(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
+void po_solution_take_state(po_solution *p, const po_equilibrium *e) {
+  const po_panels *panels = po_surface_panels(e->surface);
   p->panels->count = 0;
-  if (adaptive)
-    po_panels_copy(po_adaptive_panels(adaptive), p->panels);
+  if (panels)
+    po_panels_copy(panels, p->panels);
   p->n = e->n;
   p->core = po_equilibrium_core(e);
-  p->arclength = adaptive ? PO_ARCLENGTH_GLOBAL : PO_ARCLENGTH_NODAL;
+  p->arclength = panels ? PO_ARCLENGTH_GLOBAL : PO_ARCLENGTH_NODAL;
   p->coordinates = po_arclength_size(p->arclength, p->n);
   p->share = e->share;
   po_arclength_coordinates(p->arclength, e, p->state, p->coordinate);
@@ -267,8 +268,8 @@ void po_solution_take_tangent(po_solution *p, const po_equilibrium *e) {
   }
 }
 
-void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
-  po_solution_take_state(p, e, adaptive);
+void po_solution_finish(po_solution *p, const po_equilibrium *e) {
+  po_solution_take_state(p, e);
   po_solution_take_tangent(p, e);
 }
 

@@ -3,7 +3,6 @@
 #ifndef PO_SOLUTION_H
 #define PO_SOLUTION_H
 
-#include "po_adaptive.h"
 #include "po_arclength.h"
 #include "po_moving_edges.h"
 
@@ -43,8 +42,8 @@ void po_solution_reweigh(po_solution *solution, double factor);
 void po_solution_turn(po_solution *p);
 
 /* Fills all members that do not depend on the tangent from the state on the current mesh. Given:
- * the state must be the one last evaluated; adaptive is NULL on a fixed mesh. */
-void po_solution_take_state(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive);
+ * the state must be the one last evaluated. */
+void po_solution_take_state(po_solution *p, const po_equilibrium *e);
 
 /* Fills the derivatives along the branch from the tangent, and scales them to unit arclength.
  * Given: p has taken its state, the one last evaluated. */
@@ -54,7 +53,7 @@ void po_solution_take_tangent(po_solution *p, const po_equilibrium *e);
 void po_solution_scale_tangent(po_solution *p);
 
 /* po_solution_take_state, then po_solution_take_tangent. */
-void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive);
+void po_solution_finish(po_solution *p, const po_equilibrium *e);
 
 double po_solution_approach(const po_solution *p);
 

@@ -55,14 +55,13 @@ void po_kept_clear(po_kept *kept) {
 
 /* The complete state of a kept one, on its own mesh. Returned: state, with memory for capacity + 1
  * values. */
-static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adaptive *adaptive,
-                         double *state) {
+static po_status restore(const po_kept_state *kept, po_equilibrium *e, double *state) {
   po_status status = PO_OK;
-  if (adaptive) {
-    po_panels *const panels = &adaptive->draft;
-    status = po_adaptive_panels_of(adaptive, kept->n, kept->node, panels);
+  if (po_surface_panels(e->surface)) {
+    po_panels *const panels = e->surface->draft;
+    status = po_surface_panels_of(e->surface, kept->n, kept->node, panels);
     if (!status)
-      status = po_adaptive_mesh(adaptive, panels);
+      status = po_surface_mesh(e->surface, panels);
     if (!status)
       po_equilibrium_remesh(e);
   }
@@ -73,10 +72,10 @@ static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adapti
   return po_diagnosis_complete(e, kept->n, state);
 }
 
-static po_status diagnose(const po_kept_state *kept, po_equilibrium *e, po_adaptive *adaptive,
-                          double *state, po_diagnostics *d) {
+static po_status diagnose(const po_kept_state *kept, po_equilibrium *e, double *state,
+                          po_diagnostics *d) {
   po_diagnosed_state *made = &d->states[d->state_count];
-  po_status status = restore(kept, e, adaptive, state);
+  po_status status = restore(kept, e, state);
   if (!status)
     status = po_diagnosis_make(e, state, &made->found);
   if (!status && kept->kind == PO_KEPT_PULL_OFF)
@@ -107,11 +106,10 @@ po_status po_diagnose_out_of_time(const po_request *request, const char *what) {
 }
 
 po_status po_diagnose_states(const po_request *request, double deadline, const po_kept *kept,
-                             po_equilibrium *e, po_adaptive *adaptive, po_result *result) {
+                             po_equilibrium *e, po_result *result) {
   po_diagnostics *d = &result->diagnostics;
   const double begin = po_clock_wall();
-  const size_t capacity = adaptive ? adaptive->capacity : e->n;
-  double *state = po_allocate(capacity + 1, sizeof *state);
+  double *state = po_allocate(e->surface->capacity + 1, sizeof *state);
   d->states = po_allocate(PO_MOST_KEPT, sizeof *d->states);
   po_status status = state && d->states ? PO_OK : PO_NO_MEMORY;
   for (size_t k = 0; !status && k < PO_MOST_KEPT; ++k) {
@@ -121,7 +119,7 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
       status = po_diagnose_out_of_time(request, "not every state is diagnosed");
       break;
     }
-    const po_status made = diagnose(&kept->states[k], e, adaptive, state, d);
+    const po_status made = diagnose(&kept->states[k], e, state, d);
     d->undiagnosed += made ? 1 : 0;
     status = made == PO_NO_MEMORY ? made : PO_OK;
   }

@@ -7,7 +7,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "po_adaptive.h"
 #include "po_branch_point.h"
 #include "po_diagnostics.h"
 #include "po_equilibrium.h"
@@ -39,10 +38,10 @@ typedef struct {
 } po_kept;
 
 /* Diagnoses the states kept of a trace. Given: deadline, the processor time (po_clock_thread) at
- * which the function gives up; the equilibrium of the trace, and its panels (NULL for a fixed
- * mesh). Returned: in the result. Status: PO_NO_MEMORY, PO_OUT_OF_TIME. */
+ * which the function gives up; the equilibrium of the trace. Returned: in the result. Status:
+ * PO_NO_MEMORY, PO_OUT_OF_TIME. */
 po_status po_diagnose_states(const po_request *request, double deadline, const po_kept *kept,
-                             po_equilibrium *e, po_adaptive *panels, po_result *result);
+                             po_equilibrium *e, po_result *result);
 
 /* Fails with PO_OUT_OF_TIME and a message that the branch is traced, followed by `what`. */
 po_status po_diagnose_out_of_time(const po_request *request, const char *what);

@@ -1,7 +1,6 @@
 /* One trace of the branch of a request, with its results. */
 #include <math.h>
 
-#include "po_adaptive.h"
 #include "po_continuation.h"
 #include "po_diagnose.h"
 #include "po_initial_gap.h"
@@ -73,19 +72,18 @@ static po_status unless_stopped(po_reader *reader, po_status status) {
 }
 
 static po_status trace_elastic(const po_request *request, const po_attempt *a, po_reader *reader,
-                               po_adaptive *panels) {
-  const size_t capacity = panels ? panels->capacity : reader->surface->n;
+                               po_surface *surface) {
+  const bool panels = po_surface_panels(surface);
   const po_continuation_options options = options_of(request, a->begin, reader);
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
   reader->begin = request->approach_start;
   reader->begun = isnan(request->approach_start);
-  po_status status = po_equilibrium_create(&request->scene, reader->surface, capacity, &e);
+  po_status status = po_equilibrium_create(&request->scene, surface, &e);
   if (!status && panels)
     e->precision = po_observe_precision(request->mesh.tolerance);
   if (!status)
-    status = po_continuation_create(e, panels, po_observe_allowance(a->tolerance), &options,
-                                    &continuation);
+    status = po_continuation_create(e, po_observe_allowance(a->tolerance), &options, &continuation);
   if (!status) {
     status = unless_stopped(reader, po_continuation_run(continuation));
     note_work(reader, e, panels);
@@ -94,8 +92,7 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
     status = trace_back(continuation, reader);
   po_continuation_destroy(continuation);
   if (reader->diagnoses && !status)
-    status =
-        po_diagnose_states(request, reader->deadline, &reader->kept, e, panels, reader->result);
+    status = po_diagnose_states(request, reader->deadline, &reader->kept, e, reader->result);
   po_equilibrium_destroy(e);
   return status;
 }
@@ -133,7 +130,7 @@ static po_status trace_rigid(const po_request *request, double farthest, po_read
 /* Creates the surface of a request: a fixed mesh or panels; for a rigid scene only the nodes, which
  * a profile needs. */
 static po_status make_surface(const po_request *request, bool rigid, double core,
-                              po_surface **fixed, po_adaptive **panels) {
+                              po_surface **surface) {
   const po_scene *scene = &request->scene;
   if (rigid || request->mesh.scheme != PO_PANEL) {
     po_mesh mesh = request->mesh;
@@ -141,14 +138,14 @@ static po_status make_surface(const po_request *request, bool rigid, double core
       mesh = po_mesh_default();
       mesh.scheme = PO_TRIANGLE;
     }
-    return po_surface_create(scene, &mesh, core, !rigid, fixed);
+    return po_surface_create(scene, &mesh, core, !rigid, surface);
   }
   const double domain = po_observe_domain(scene, core);
   const double waves = domain / po_initial_gap_detail(scene);
   uint32_t level = 2; /* 2^level panels have at most the length of a wave, if 64 are enough */
   while (level < 6 && (double)(1 << level) < waves)
     ++level;
-  return po_adaptive_create(scene, domain, level, panels);
+  return po_surface_create_panels(scene, domain, level, surface);
 }
 
 /* Fails because the preload is so small that the trace passed no minimum of the load. */
@@ -177,20 +174,19 @@ static po_status end_search(po_status status, po_reader *reader) {
 
 po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
                    const po_keeper *keeper, po_result *result) {
-  po_surface *fixed = NULL;
-  po_adaptive *panels = NULL;
+  po_surface *surface = NULL;
   po_reader reader = po_reader_begin(request, result, deadline);
   reader.keeper = keeper;
   if (keeper)
     keeper->begin(keeper->data, a->tolerance);
   po_status status = PO_OK;
   if (!rigid || (request->want & PO_WANT_PROFILE) || request->show)
-    status = make_surface(request, rigid, a->core, &fixed, &panels);
+    status = make_surface(request, rigid, a->core, &surface);
   if (status)
     goto done;
-  reader.surface = panels ? &panels->surface : fixed;
+  reader.surface = surface;
   status =
-      rigid ? trace_rigid(request, a->begin, &reader) : trace_elastic(request, a, &reader, panels);
+      rigid ? trace_rigid(request, a->begin, &reader) : trace_elastic(request, a, &reader, surface);
   if (!status)
     status = reader.status;
   status = end_search(status, &reader);
@@ -210,7 +206,6 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
 done:
   a->unmet_folds = reader.special.unmet_folds;
   po_reader_end(&reader);
-  po_adaptive_destroy(panels);
-  po_surface_destroy(fixed);
+  po_surface_destroy(surface);
   return status;
 }

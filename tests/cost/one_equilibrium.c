@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "machine.h"
-#include "po_adaptive.h"
 #include "po_memory.h"
+#include "po_surface.h"
 
 /* eps: that of a trace between two points */
 static const double STEP = 1e-3;
@@ -59,10 +59,10 @@ static po_status measure(measured *m, way_cost *cost) {
 }
 
 /* Both ways, for a state on a surface. */
-static po_status measure_both(const po_scene *scene, const po_surface *surface, size_t most_dense,
+static po_status measure_both(const po_scene *scene, po_surface *surface, size_t most_dense,
                               measured *m, equilibrium_cost *cost) {
   const size_t n = cost->nodes = surface->n;
-  po_status status = po_equilibrium_create(scene, surface, n, &m->e);
+  po_status status = po_equilibrium_create(scene, surface, &m->e);
   if (!status)
     status = measure(m, &cost->hierarchical);
   po_equilibrium_destroy(m->e);
@@ -76,7 +76,7 @@ static po_status measure_both(const po_scene *scene, const po_surface *surface, 
   if (!dense.influence)
     return PO_NO_MEMORY;
   po_surface_fill_matrix(surface, dense.influence);
-  status = po_equilibrium_create(scene, &dense, n, &m->e);
+  status = po_equilibrium_create(scene, &dense, &m->e);
   if (!status)
     status = measure(m, &cost->dense);
   po_equilibrium_destroy(m->e);
@@ -87,7 +87,7 @@ static po_status measure_both(const po_scene *scene, const po_surface *surface, 
 po_status equilibrium_measure(const po_scene *scene, const po_result *solved, size_t most_dense,
                               equilibrium_cost *cost) {
   const size_t n = solved->profile_count;
-  po_adaptive *adaptive = NULL;
+  po_surface *surface = NULL;
   double *node = po_allocate(n, sizeof *node), *solution = po_allocate(n + 1, sizeof *solution);
   measured m = {.solution = solution,
                 .state = po_allocate(n + 1, sizeof *m.state),
@@ -95,7 +95,7 @@ po_status equilibrium_measure(const po_scene *scene, const po_result *solved, si
                 .x = po_allocate(n + 1, sizeof *m.x)};
   po_status status = PO_NO_MEMORY;
   if (node && solution && m.state && m.border && m.x)
-    status = po_adaptive_create(scene, scene->outer_radius, 1, &adaptive);
+    status = po_surface_create_panels(scene, scene->outer_radius, 1, &surface);
   if (!status) {
     for (size_t j = 0; j < n; ++j) {
       node[j] = solved->profile[j].radius;
@@ -103,13 +103,13 @@ po_status equilibrium_measure(const po_scene *scene, const po_result *solved, si
     }
     solution[n] = solved->profile_approach;
     m.border[n] = 1.0;
-    status = po_adaptive_panels_of(adaptive, n, node, &adaptive->draft);
+    status = po_surface_panels_of(surface, n, node, surface->draft);
   }
   if (!status)
-    status = po_adaptive_mesh(adaptive, &adaptive->draft);
+    status = po_surface_mesh(surface, surface->draft);
   if (!status)
-    status = measure_both(scene, &adaptive->surface, most_dense, &m, cost);
-  po_adaptive_destroy(adaptive);
+    status = measure_both(scene, surface, most_dense, &m, cost);
+  po_surface_destroy(surface);
   free(node);
   free(solution);
   free(m.state);

@@ -37,7 +37,7 @@ static seen trace_on(const po_scene *scene, const po_mesh *mesh, double station)
   po_equilibrium *e = NULL;
   ck_assert_int_eq(po_surface_create(scene, mesh, po_surface_core(scene, NAN), true, &surface),
                    PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(scene, surface, surface->n, &e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, surface, &e), PO_OK);
   seen s = {.e = e};
   po_continuation_options options = po_continuation_options_default();
   options.visit = look;
@@ -167,7 +167,7 @@ START_TEST(unstable_modes_agree_with_the_eigenvalues) {
   po_surface *surface = NULL;
   seen s = {.count = 0};
   ck_assert_int_eq(po_surface_create(&scene, &mesh, 60.0, true, &surface), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&scene, surface, surface->n, &s.e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, surface, &s.e), PO_OK);
   po_continuation_options options = po_continuation_options_default();
   options.visit = count_modes;
   options.data = &s;
@@ -192,7 +192,7 @@ START_TEST(trace_ends_at_its_end_or_at_the_limit_of_points) {
   seen s = {.count = 0};
   ck_assert_int_eq(po_surface_create(&scene, &mesh, po_surface_core(&scene, 2.385), true, &surface),
                    PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&scene, surface, surface->n, &e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, surface, &e), PO_OK);
   po_continuation_options options = po_continuation_options_default();
   options.visit = look;
   options.data = &s;

@@ -60,7 +60,7 @@ static double pull_off(const po_scene *scene, double core, double size) {
   double least = 0.0;
   ck_assert_int_eq(po_surface_create(scene, &mesh, core, true, &surface), PO_OK);
   ck_assert_double_eq_tol(surface->core_radius, core, 1e-12);
-  ck_assert_int_eq(po_equilibrium_create(scene, surface, surface->n, &e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, surface, &e), PO_OK);
   po_continuation_options options = po_continuation_options_default();
   options.visit = deepest;
   options.data = &least;

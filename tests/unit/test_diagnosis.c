@@ -145,7 +145,7 @@ static void create_stiff(po_surface **surface, po_equilibrium **e) {
   static const po_scene STIFF = {.tabor = 1e-8, .radius = 87.0, .outer_radius = 87.0};
   const po_mesh mesh = {.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 41};
   ck_assert_int_eq(po_surface_create(&STIFF, &mesh, 87.0, true, surface), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&STIFF, *surface, (*surface)->n, e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&STIFF, *surface, e), PO_OK);
 }
 
 /* The solution of the stiff sphere is the undeformed gap, and its Jacobian is the unit matrix. A

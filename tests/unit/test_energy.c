@@ -57,7 +57,7 @@ static balance of_triangles_or_rings(const po_scene *scene, po_scheme scheme, si
   po_equilibrium *e = NULL;
   ck_assert_int_eq(po_surface_create(scene, &mesh, po_surface_core(scene, NAN), true, &surface),
                    PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(scene, surface, surface->n, &e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, surface, &e), PO_OK);
   balance b = {.enough = 0.5};
   po_continuation_options options = po_continuation_options_default();
   options.largest_sagitta = 2e-3;
@@ -75,25 +75,24 @@ START_TEST(energy_derivative_is_the_load_on_panels) {
   const double domain = isfinite(scene->outer_radius)
                             ? core
                             : po_averaging_radius(scene, po_averaging_phase(scene, core));
-  po_adaptive *panels = NULL;
+  po_surface *panels = NULL;
   po_equilibrium *e = NULL;
-  ck_assert_int_eq(po_adaptive_create(scene, domain, 4, &panels), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(scene, &panels->surface, panels->capacity, &e), PO_OK);
+  ck_assert_int_eq(po_surface_create_panels(scene, domain, 4, &panels), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, panels, &e), PO_OK);
   balance b = {.enough = 0.5};
   po_continuation_options options = po_continuation_options_default();
   options.largest_sagitta = 5e-6;
   options.visit = look;
   options.data = &b;
   po_continuation *continuation = NULL;
-  ck_assert_int_eq(
-      po_continuation_create(e, panels, (po_allowance){1e-5, 1e-9}, &options, &continuation),
-      PO_OK);
+  ck_assert_int_eq(po_continuation_create(e, (po_allowance){1e-5, 1e-9}, &options, &continuation),
+                   PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   po_continuation_destroy(continuation);
   ck_assert_int_ge(b.folds, 2);
   ck_assert_double_lt(b.worst, 4e-9); /* measured: 2e-11, 3e-11, 3e-10, 1.2e-9 */
   po_equilibrium_destroy(e);
-  po_adaptive_destroy(panels);
+  po_surface_destroy(panels);
 }
 END_TEST
 

@@ -19,7 +19,7 @@ static void set_up(fixture *f, double tabor, double approach) {
   f->scene = (po_scene){tabor, 0.7, 23.85, 91.0, 60.0};
   const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, NODES, 0.0};
   ck_assert_int_eq(po_surface_create(&f->scene, &mesh, 60.0, true, &f->surface), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&f->scene, f->surface, f->surface->n, &f->e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&f->scene, f->surface, &f->e), PO_OK);
   for (int j = 0; j < NODES; ++j) {
     f->state[j] = fmax(-0.02, po_initial_gap(&f->scene, f->surface->node[j]) - approach);
     f->border[j] = 0.0;

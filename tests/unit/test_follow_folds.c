@@ -61,22 +61,22 @@ static bool keep(const po_branch_point *p, void *data) {
 static void trace(const series *l, folds *f) {
   po_scene scene;
   scene_at((void *)l, l->from, &scene);
-  po_adaptive *panels = NULL;
+  po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
-  ck_assert_int_eq(po_adaptive_create(&scene, domain_of(&scene), 4, &panels), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&scene, &panels->surface, panels->capacity, &e), PO_OK);
+  ck_assert_int_eq(po_surface_create_panels(&scene, domain_of(&scene), 4, &panels), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, panels, &e), PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   *f = (folds){.most = l->folds};
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = f;
   const po_allowance allowed = po_observe_allowance(TOLERANCE);
-  ck_assert_int_eq(po_continuation_create(e, panels, allowed, &options, &continuation), PO_OK);
+  ck_assert_int_eq(po_continuation_create(e, allowed, &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   po_continuation_destroy(continuation);
   po_equilibrium_destroy(e);
-  po_adaptive_destroy(panels);
+  po_surface_destroy(panels);
   ck_assert_uint_eq(f->count, l->folds);
 }
 

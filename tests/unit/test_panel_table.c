@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_adaptive.h"
 #include "po_panel_table.h"
 #include "po_panels.h"
+#include "po_surface.h"
 #include "run.h"
 
 /* Refines a tree towards x, to the given level. */
@@ -101,26 +101,25 @@ END_TEST
  * these. Other radii belong to no panels. */
 START_TEST(panels_are_recognised_from_their_nodes) {
   static const po_scene SCENE = {.tabor = 2.385, .radius = 93.0, .outer_radius = 71.0};
-  po_adaptive *adaptive = NULL;
-  ck_assert_int_eq(po_adaptive_create(&SCENE, 71.0, 2, &adaptive), PO_OK);
+  po_surface *surface = NULL;
+  ck_assert_int_eq(po_surface_create_panels(&SCENE, 71.0, 2, &surface), PO_OK);
   static po_panels mesh, panels;
   refine_towards(&mesh, 0.2385, 7);
-  ck_assert_int_eq(po_adaptive_mesh(adaptive, &mesh), PO_OK);
-  const po_surface *surface = &adaptive->surface;
+  ck_assert_int_eq(po_surface_mesh(surface, &mesh), PO_OK);
   ck_assert_uint_eq(surface->n, PO_TABLE_ORDER * mesh.count);
   double *node = malloc(surface->n * sizeof *node);
   memcpy(node, surface->node, surface->n * sizeof *node);
   for (size_t count = 0; count <= mesh.count; ++count) {
-    ck_assert_int_eq(po_adaptive_panels_of(adaptive, PO_TABLE_ORDER * count, node, &panels), PO_OK);
+    ck_assert_int_eq(po_surface_panels_of(surface, PO_TABLE_ORDER * count, node, &panels), PO_OK);
     ck_assert_uint_eq(panels.count, count);
     for (size_t k = 0; k < count; ++k)
       ck_assert(po_panel_equal(panels.panel[k], mesh.panel[k]));
   }
-  ck_assert_int_eq(po_adaptive_panels_of(adaptive, surface->n - 1, node, &panels), PO_BAD_INPUT);
+  ck_assert_int_eq(po_surface_panels_of(surface, surface->n - 1, node, &panels), PO_BAD_INPUT);
   node[PO_TABLE_ORDER + 5] *= 1.001;
-  ck_assert_int_eq(po_adaptive_panels_of(adaptive, surface->n, node, &panels), PO_BAD_INPUT);
+  ck_assert_int_eq(po_surface_panels_of(surface, surface->n, node, &panels), PO_BAD_INPUT);
   free(node);
-  po_adaptive_destroy(adaptive);
+  po_surface_destroy(surface);
 }
 END_TEST
 
@@ -135,17 +134,17 @@ START_TEST(mesh_without_room_changes_nothing) {
   po_panels_uniform(&small, 2);
   po_panels_uniform(&large, 13);
   for (int k = 0; k < 2; ++k) {
-    po_adaptive *adaptive = NULL;
-    ck_assert_int_eq(po_adaptive_create(k ? &wavy : &SMOOTH, 71.0, 2, &adaptive), PO_OK);
-    ck_assert_int_eq(po_adaptive_mesh(adaptive, &small), PO_OK);
-    const bool has_room = adaptive->capacity >= PO_TABLE_ORDER * large.count;
+    po_surface *surface = NULL;
+    ck_assert_int_eq(po_surface_create_panels(k ? &wavy : &SMOOTH, 71.0, 2, &surface), PO_OK);
+    ck_assert_int_eq(po_surface_mesh(surface, &small), PO_OK);
+    const bool has_room = surface->capacity >= PO_TABLE_ORDER * large.count;
     ck_assert_int_eq(has_room, k == 1);
     if (!has_room) {
-      ck_assert_int_eq(po_adaptive_mesh(adaptive, &large), PO_OUT_OF_NODES);
-      ck_assert(po_panels_equal(po_adaptive_panels(adaptive), &small));
-      ck_assert_uint_eq(adaptive->surface.n, PO_TABLE_ORDER * small.count);
+      ck_assert_int_eq(po_surface_mesh(surface, &large), PO_OUT_OF_NODES);
+      ck_assert(po_panels_equal(po_surface_panels(surface), &small));
+      ck_assert_uint_eq(surface->n, PO_TABLE_ORDER * small.count);
     }
-    po_adaptive_destroy(adaptive);
+    po_surface_destroy(surface);
   }
 }
 END_TEST

@@ -3,17 +3,16 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_adaptive.h"
 #include "po_equilibrium.h"
 #include "po_initial_gap.h"
+#include "po_surface.h"
 #include "run.h"
 
 enum { LEVEL = 4, PANELS = 1 << LEVEL, NODES = PANELS * PO_TABLE_ORDER };
 
 typedef struct {
   po_scene scene;
-  po_adaptive *panels;
-  po_surface *triangles;
+  po_surface *surface;
   po_equilibrium *e;
   double state[NODES + 1], border[NODES + 1];
 } fixture;
@@ -25,13 +24,13 @@ static void set_up(fixture *f, double tabor, double outer_radius, bool on_panels
   const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, NODES, 0.0};
   memset(f, 0, sizeof *f);
   f->scene = (po_scene){.tabor = tabor, .radius = 100.0, .outer_radius = outer_radius};
-  const po_status made =
-      on_panels ? po_adaptive_create(&f->scene, outer_radius, LEVEL, &f->panels)
-                : po_surface_create(&f->scene, &mesh, outer_radius, true, &f->triangles);
+  const po_status made = on_panels
+                             ? po_surface_create_panels(&f->scene, outer_radius, LEVEL, &f->surface)
+                             : po_surface_create(&f->scene, &mesh, outer_radius, true, &f->surface);
   ck_assert_int_eq(made, PO_OK);
-  const po_surface *s = on_panels ? &f->panels->surface : f->triangles;
+  const po_surface *s = f->surface;
   ck_assert_uint_eq(s->n, NODES);
-  ck_assert_int_eq(po_equilibrium_create(&f->scene, s, NODES, &f->e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&f->scene, f->surface, &f->e), PO_OK);
   for (size_t j = 0; j < NODES; ++j)
     f->state[j] = po_initial_gap(&f->scene, s->node[j]) - APPROACH;
   f->state[NODES] = APPROACH;
@@ -40,8 +39,7 @@ static void set_up(fixture *f, double tabor, double outer_radius, bool on_panels
 
 static void tear_down(fixture *f) {
   po_equilibrium_destroy(f->e);
-  po_adaptive_destroy(f->panels);
-  po_surface_destroy(f->triangles);
+  po_surface_destroy(f->surface);
 }
 
 /* Factorises with a border whose product with the tangent is `part` of that of the border of given

@@ -29,24 +29,23 @@ static bool keep(const po_branch_point *p, void *data) {
 }
 
 static double trace(steps *s) {
-  po_adaptive *panels = NULL;
+  po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
   const double domain = po_observe_domain(&SCENE, po_surface_core(&SCENE, NAN));
-  ck_assert_int_eq(po_adaptive_create(&SCENE, domain, 4, &panels), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&SCENE, &panels->surface, panels->capacity, &e), PO_OK);
+  ck_assert_int_eq(po_surface_create_panels(&SCENE, domain, 4, &panels), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&SCENE, panels, &e), PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = s;
   ck_assert_int_eq(
-      po_continuation_create(e, panels, po_observe_allowance(TOLERANCE), &options, &continuation),
-      PO_OK);
+      po_continuation_create(e, po_observe_allowance(TOLERANCE), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
-  const double met = panels->surface.core_radius;
+  const double met = panels->core_radius;
   po_continuation_destroy(continuation);
   po_equilibrium_destroy(e);
-  po_adaptive_destroy(panels);
+  po_surface_destroy(panels);
   return met;
 }
 
@@ -55,7 +54,7 @@ static double trace(steps *s) {
  * contact edges, and the trace has several such places. */
 START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
   static steps s; /* too large for the stack */
-  const po_surface surface = {.core_radius = trace(&s)};
+  po_surface surface = {.core_radius = trace(&s)};
   const po_equilibrium e = {.scene = &SCENE, .surface = &surface};
   size_t left = 0;
   for (size_t k = 1; k + 2 < s.count; ++k) {

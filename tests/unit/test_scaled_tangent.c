@@ -61,13 +61,13 @@ static bool compare(const po_branch_point *point, void *data) {
 }
 
 static void compare_along(const po_scene *scene, double error) {
-  po_adaptive *panels = NULL;
+  po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
   const double domain = po_observe_domain(scene, po_surface_core(scene, NAN));
-  ck_assert_int_eq(po_adaptive_create(scene, domain, 4, &panels), PO_OK);
+  ck_assert_int_eq(po_surface_create_panels(scene, domain, 4, &panels), PO_OK);
   const size_t capacity = panels->capacity;
-  ck_assert_int_eq(po_equilibrium_create(scene, &panels->surface, capacity, &e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, panels, &e), PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   comparison c = {.e = e, .error = error, .border = po_reserve(capacity + 1, sizeof(double))};
   ck_assert_ptr_nonnull(c.border);
@@ -78,15 +78,14 @@ static void compare_along(const po_scene *scene, double error) {
   options.visit = compare;
   options.data = &c;
   ck_assert_int_eq(
-      po_continuation_create(e, panels, po_observe_allowance(TOLERANCE), &options, &continuation),
-      PO_OK);
+      po_continuation_create(e, po_observe_allowance(TOLERANCE), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   ck_assert_uint_gt(c.compared, 5);
   po_continuation_destroy(continuation);
   po_arrays_free(&arrays);
   free(c.border);
   po_equilibrium_destroy(e);
-  po_adaptive_destroy(panels);
+  po_surface_destroy(panels);
 }
 
 /* At mu = 7 both are accurate. */

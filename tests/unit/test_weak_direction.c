@@ -34,12 +34,11 @@ START_TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   const double core = po_surface_core(&request.scene, NAN);
   const double domain =
       po_averaging_radius(&request.scene, po_averaging_phase(&request.scene, core));
-  po_adaptive *panels = NULL;
+  po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
-  ck_assert_int_eq(po_adaptive_create(&request.scene, domain, 4, &panels), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&request.scene, &panels->surface, panels->capacity, &e),
-                   PO_OK);
+  ck_assert_int_eq(po_surface_create_panels(&request.scene, domain, 4, &panels), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&request.scene, panels, &e), PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   double position = 0.0;
   po_continuation_options options = po_continuation_options_default();
@@ -47,13 +46,12 @@ START_TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   options.data = &position;
   options.most_points = 1000;
   ck_assert_int_eq(
-      po_continuation_create(e, panels, po_observe_allowance(TOLERANCE), &options, &continuation),
-      PO_OK);
+      po_continuation_create(e, po_observe_allowance(TOLERANCE), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   ck_assert_double_gt(position, END);
   po_continuation_destroy(continuation);
   po_equilibrium_destroy(e);
-  po_adaptive_destroy(panels);
+  po_surface_destroy(panels);
 }
 END_TEST
 

@@ -6,7 +6,7 @@
 
 static inline po_status trace_fixed(po_equilibrium *e, const po_continuation_options *options) {
   po_continuation *c = NULL;
-  po_status status = po_continuation_create(e, NULL, (po_allowance){0.0, 0.0}, options, &c);
+  po_status status = po_continuation_create(e, (po_allowance){0.0, 0.0}, options, &c);
   if (!status)
     status = po_continuation_run(c);
   po_continuation_destroy(c);
