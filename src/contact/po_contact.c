@@ -24,17 +24,16 @@ typedef struct {
   double gap, slope; /* H and dH/dr */
 } value;
 
-po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double domain,
-                                        const po_solution *solution) {
+po_contact_gap po_contact_gap_on_panels(const po_scene *scene, const po_solution *solution) {
   return (po_contact_gap){.scene = scene,
                           .approach = solution->state[solution->n],
-                          .end = domain,
+                          .end = solution->domain,
                           .solution = solution};
 }
 
-po_contact_gap po_contact_gap_of(const po_scene *scene, double domain, const po_branch_point *p) {
+po_contact_gap po_contact_gap_of(const po_scene *scene, const po_branch_point *p) {
   if (p->solution)
-    return po_contact_gap_on_panels(scene, domain, p->solution);
+    return po_contact_gap_on_panels(scene, p->solution);
   po_contact_gap g = {.scene = scene, .approach = p->approach};
   if (p->gap) {
     g.n = p->n;
@@ -65,7 +64,7 @@ static value value_on_elements(const po_contact_gap *g, double r) {
 
 static value value_at(const po_contact_gap *g, double r) {
   if (g->solution) {
-    po_solution_field field = {g->solution, g->scene, g->end, 0};
+    po_solution_field field = {g->solution, g->scene, 0};
     const po_solution_value v = po_solution_value_at(&field, r);
     return (value){v.gap, v.slope};
   }
@@ -375,6 +374,6 @@ po_status po_contact_profile_take(const po_scene *scene, const po_surface *s,
   if (status)
     return status;
   o->profile_approach = p->approach;
-  const po_contact_gap field = po_contact_gap_of(scene, s->core_radius, p);
+  const po_contact_gap field = po_contact_gap_of(scene, p);
   return po_contact_annuli_fill(&field, &o->annuli);
 }

@@ -26,14 +26,12 @@ typedef struct {
   const double *node, *gap; /* n radii ascending (eps), n gaps */
 } po_contact_gap;
 
-/* Given: a point of a branch of any scheme, or of a rigid scene; the radius of the domain of the
- * panels, eps (panels only). Scene and point must outlive the result. */
-po_contact_gap po_contact_gap_of(const po_scene *scene, double domain,
-                                 const po_branch_point *point);
+/* Given: a point of a branch of any scheme, or of a rigid scene. Scene and point must outlive the
+ * result. */
+po_contact_gap po_contact_gap_of(const po_scene *scene, const po_branch_point *point);
 
 /* The same for a solution on panels. */
-po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double domain,
-                                        const struct po_solution *solution);
+po_contact_gap po_contact_gap_on_panels(const po_scene *scene, const struct po_solution *solution);
 
 /* The radius of the outermost contact edge, eps; 0 if there is no contact, `end` if the surface is
  * in contact at its end. */

@@ -47,7 +47,7 @@ po_status po_corrector_adapt(po_corrector *c, const po_gap_field *field, po_pane
 po_status po_corrector_want_mesh(po_corrector *c, po_solution *p) {
   if (!po_surface_panels(c->e->surface))
     return PO_OK;
-  po_solution_field solved = {p, c->e->scene, c->e->surface->core_radius, 0};
+  po_solution_field solved = {p, c->e->scene, 0};
   po_panels_copy(p->panels, p->wanted);
   return po_corrector_adapt(c, &(po_gap_field){po_solution_gap, &solved}, p->wanted);
 }
@@ -74,7 +74,7 @@ size_t po_corrector_moving_nodes(const po_corrector *c) {
 }
 
 void po_corrector_guess(po_corrector *c, const po_solution *p) {
-  po_solution_field field = {p, c->e->scene, c->e->surface->core_radius, 0};
+  po_solution_field field = {p, c->e->scene, 0};
   const size_t core = po_corrector_moving_nodes(c), n = c->e->n;
   for (size_t j = 0; j < core; ++j)
     c->guess[j] = po_solution_gap(&field, c->e->surface->node[j]);

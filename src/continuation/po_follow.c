@@ -29,7 +29,6 @@ static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 0.025 * FIRST_PAR
 typedef struct {
   double at;
   po_scene scene;
-  double domain; /* radius of the domain of the panels, eps */
   po_solution point;
 } mark;
 
@@ -71,7 +70,7 @@ typedef struct {
 
 static void add_mark(predictor *f, const mark *m) {
   f->at[f->count] = m->at;
-  f->of[f->count++] = (po_solution_field){&m->point, &m->scene, m->domain, 0};
+  f->of[f->count++] = (po_solution_field){&m->point, &m->scene, 0};
 }
 
 /* The weights of the marks in Lagrange's polynomial at a parameter. */
@@ -130,8 +129,8 @@ static void predict_still(po_follower *of, double at, predictor *f) {
 
 /* The gap of a mark; outside its domain the undeformed gap. */
 static double gap_of(po_solution_field *of, double r) {
-  return r < of->domain ? po_solution_gap(of, r)
-                        : po_initial_gap(of->scene, r) - po_solution_approach(of->p);
+  return r < of->p->domain ? po_solution_gap(of, r)
+                           : po_initial_gap(of->scene, r) - po_solution_approach(of->p);
 }
 
 /* The predicted gap H at a radius, eps; above -1. Given: data, a predictor. */
@@ -238,7 +237,6 @@ static void accept(po_follower *f, double at) {
   mark *next = next_mark(f);
   next->at = at;
   next->scene = f->scene;
-  next->domain = f->surface->core_radius;
   f->latest = (f->latest + 1) % (MARKS + 1);
   f->count += f->count < MARKS;
 }
@@ -253,6 +251,7 @@ po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_k
   po_status status = po_corrector_mesh(&f->c, f->seed.panels);
   if (status)
     return status;
+  f->seed.domain = f->surface->core_radius; /* that of the trace may differ: it is scaled */
   po_corrector_guess(&f->c, &f->seed);
   status = locate(f, &f->slope, f->value, &next_mark(f)->point);
   if (!status)
@@ -264,6 +263,7 @@ po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_k
  * direction of the latest mark. */
 static void seed_from_guess(po_follower *f) {
   const po_solution *latest = &mark_of(f, 0)->point;
+  f->seed.domain = f->surface->core_radius;
   po_equilibrium_evaluate(f->e, f->c.guess);
   po_arclength_coordinates(f->seed.arclength, f->e, f->c.guess, f->seed.coordinate);
   memcpy(f->seed.rate, latest->rate, f->seed.coordinates * sizeof *f->seed.rate);
@@ -378,10 +378,6 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
                            .solution = p,
                            .best = r.finer ? p : NULL,
                            .finer = r.finer};
-}
-
-double po_follow_domain(const po_follower *f) {
-  return f->surface->core_radius;
 }
 
 po_work po_follow_work(const po_follower *f) {

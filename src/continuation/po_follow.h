@@ -45,8 +45,7 @@ po_status po_follow_to(po_follower *f, double at, double deadline);
  * call. Given: judged, whether it is solved on finer meshes for its errors. */
 po_branch_point po_follow_point(po_follower *f, bool judged);
 
-/* Radius of the domain, eps, at the present value of the parameter; and the work so far. */
-double po_follow_domain(const po_follower *f);
+/* The work so far. */
 po_work po_follow_work(const po_follower *f);
 
 #endif

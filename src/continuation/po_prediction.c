@@ -79,8 +79,7 @@ static void hold_kink(po_prediction *p) {
 /* Begins a prediction: pairs the contact edges of a with those of b, if they are as many. */
 static po_prediction begin(const po_equilibrium *e, const po_solution *a, const po_solution *b) {
   const po_scene *scene = e->scene;
-  const double domain = e->surface->core_radius;
-  po_prediction p = {.a = a, .b = b, .of_a = {a, scene, domain, 0}, .of_b = {b, scene, domain, 0}};
+  po_prediction p = {.a = a, .b = b, .of_a = {a, scene, 0}, .of_b = {b, scene, 0}};
   p.slope_jump = po_profile_slope_jump(&scene->profile, scene->radius);
   p.kink = p.slope_jump != 0.0 ? po_profile_shape(&scene->profile).kink : INFINITY;
   p.edges = a->edges;
@@ -212,7 +211,7 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
 
 /* Size of the panel of a->wanted at the origin of a radius, both relative to the domain. */
 static double wanted_size(po_prediction *p, double x) {
-  const double origin = origin_of(p, x * p->of_a.domain).r / p->of_a.domain;
+  const double origin = origin_of(p, x * p->a->domain).r / p->a->domain;
   const po_panels *wanted = p->a->wanted;
   p->panel_wanted = po_panels_find(wanted, origin, p->panel_wanted);
   return po_panel_size(wanted->panel[p->panel_wanted]);

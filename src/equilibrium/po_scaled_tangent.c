@@ -20,7 +20,7 @@ typedef struct {
 static scaling scaling_of(const po_equilibrium *e, const po_solution *p) {
   const po_law *law = &e->scene->law;
   const double end = e->surface->core_radius;
-  const double gap = po_solution_value_at(&(po_solution_field){p, e->scene, end, 0}, end).gap;
+  const double gap = po_solution_value_at(&(po_solution_field){p, e->scene, 0}, end).gap;
   const double ring =
       isfinite(e->scene->outer_radius) ? po_law_at(law, gap).traction * end * end : 0.0;
   scaling s = {.load = 2.0 * p->load - 2.0 / e->radius * ring, .added = e->coupling * ring};
@@ -38,9 +38,7 @@ static double profile_slope(const po_equilibrium *e, size_t j) {
 /* The rate at which a contact edge moves, from the derivative DH in p->tangent, relative to nodes
  * that move with the scale. */
 static double motion_of(const po_equilibrium *e, const po_solution *p, double edge) {
-  const double domain = e->surface->core_radius;
-  const po_solution_value v =
-      po_solution_value_at(&(po_solution_field){p, e->scene, domain, 0}, edge);
+  const po_solution_value v = po_solution_value_at(&(po_solution_field){p, e->scene, 0}, edge);
   return -v.tangent / v.slope;
 }
 

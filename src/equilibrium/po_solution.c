@@ -143,7 +143,7 @@ static double interpolate(const barycentric *at, const double *value) {
 
 /* Finds the panel of a radius. Returned: *first, the first node of the panel. */
 static barycentric find_place(po_solution_field *f, double r, size_t *first) {
-  const double x = r / f->domain;
+  const double x = r / f->p->domain;
   f->panel = po_panels_find(f->p->panels, x, f->panel);
   *first = f->panel * PO_TABLE_ORDER;
   return barycentric_at(po_panel_place(f->p->panels->panel[f->panel], x));
@@ -184,9 +184,9 @@ static double beyond_peak(double r, const void *data) {
 }
 
 /* Finds the contact edge between two nodes on the polynomials of the panels. */
-static void add_edge(po_solution *p, const po_scene *scene, double domain, size_t node, double low,
-                     double high) {
-  const po_solution_field s = {p, scene, domain, node / PO_TABLE_ORDER};
+static void add_edge(po_solution *p, const po_scene *scene, size_t node) {
+  const po_solution_field s = {p, scene, node / PO_TABLE_ORDER};
+  const double low = p->node[node - 1], high = p->node[node];
   double at = po_root(beyond_peak, &s, low, high);
   if (isnan(at)) /* one of the nodes is at the edge, but for rounding */
     at = fabs(beyond_peak(low, &s)) < fabs(beyond_peak(high, &s)) ? low : high;
@@ -195,7 +195,7 @@ static void add_edge(po_solution *p, const po_scene *scene, double domain, size_
 }
 
 /* Finds the contact edges, beginning with the outermost, since the outermost are kept. */
-static void find_edges(po_solution *p, const po_scene *scene, const po_surface *s) {
+static void find_edges(po_solution *p, const po_scene *scene) {
   po_moving_edges *edges = &p->edges;
   const double peak = po_law_numbers_of(&scene->law)->peak_gap;
   edges->count = edges->all = 0;
@@ -204,7 +204,7 @@ static void find_edges(po_solution *p, const po_scene *scene, const po_surface *
     if ((left < 0.0) == (right < 0.0))
       continue;
     if (edges->count < PO_MOST_MOVING_EDGES)
-      add_edge(p, scene, s->core_radius, j, s->node[j - 1], s->node[j]);
+      add_edge(p, scene, j);
     ++edges->all;
   }
   for (size_t k = 0; 2 * k + 1 < edges->count; ++k) { /* to ascending order */
@@ -215,9 +215,9 @@ static void find_edges(po_solution *p, const po_scene *scene, const po_surface *
   }
 }
 
-static void fill_slope(po_solution *p, double domain) {
+static void fill_slope(po_solution *p) {
   for (size_t k = 0; k < p->panels->count; ++k) {
-    const double size = domain * po_panel_size(p->panels->panel[k]);
+    const double size = p->domain * po_panel_size(p->panels->panel[k]);
     differentiate(p->deflection + k * PO_TABLE_ORDER, p->slope + k * PO_TABLE_ORDER);
     for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
       p->slope[k * PO_TABLE_ORDER + i] /= size;
@@ -227,8 +227,8 @@ static void fill_slope(po_solution *p, double domain) {
     return;
   differentiate(p->deflection + tail, p->slope + tail);
   for (size_t j = tail; j < p->n; ++j) { /* by x = domain/r */
-    const double x = domain / p->node[j];
-    p->slope[j] *= -x * x / domain;
+    const double x = p->domain / p->node[j];
+    p->slope[j] *= -x * x / p->domain;
   }
 }
 
@@ -239,6 +239,7 @@ void po_solution_take_state(po_solution *p, const po_equilibrium *e) {
     po_panels_copy(panels, p->panels);
   p->n = e->n;
   p->core = po_equilibrium_core(e);
+  p->domain = e->surface->core_radius;
   p->arclength = panels ? PO_ARCLENGTH_GLOBAL : PO_ARCLENGTH_NODAL;
   p->coordinates = po_arclength_size(p->arclength, p->n);
   p->share = e->share;
@@ -248,8 +249,8 @@ void po_solution_take_state(po_solution *p, const po_equilibrium *e) {
   memcpy(p->node, e->surface->node, p->n * sizeof *p->node);
   for (size_t j = 0; j < p->n; ++j)
     p->deflection[j] = p->state[j] - e->initial_gap[j];
-  fill_slope(p, e->surface->core_radius);
-  find_edges(p, e->scene, e->surface);
+  fill_slope(p);
+  find_edges(p, e->scene);
 }
 
 void po_solution_scale_tangent(po_solution *p) {
@@ -261,7 +262,7 @@ void po_solution_take_tangent(po_solution *p, const po_equilibrium *e) {
   p->load_rate = 0.0; /* follows from the scaled tangent */
   po_solution_scale_tangent(p);
   p->load_rate = po_equilibrium_load_rate(e, p->tangent);
-  po_solution_field field = {p, e->scene, e->surface->core_radius, 0};
+  po_solution_field field = {p, e->scene, 0};
   for (size_t k = 0; k < p->edges.count; ++k) {
     const po_solution_value v = po_solution_value_at(&field, p->edges.at[k]);
     p->edges.rate[k] = -v.tangent / v.slope;

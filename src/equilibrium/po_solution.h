@@ -12,6 +12,7 @@ typedef struct po_solution {
   double *deflection;      /* n: H - f, the deflection less the approach */
   double *slope;           /* n: d(deflection)/dr */
   double *node;            /* n: radii, eps */
+  double domain;           /* core radius of its surface, eps: on panels, of their domain */
   po_arclength arclength;
   size_t coordinates; /* number of coordinates of the arclength */
   double share;       /* po_equilibrium.share, with which the coordinates are */
@@ -75,8 +76,7 @@ double po_solution_way(const po_solution *from, const po_solution *to);
 typedef struct {
   const po_solution *p;
   const po_scene *scene;
-  double domain; /* its radius, eps */
-  size_t panel;  /* of the last radius, which is likely to be near */
+  size_t panel; /* of the last radius, which is likely to be near */
 } po_solution_field;
 
 /* Values of a solution at a radius inside the domain, eps. */

@@ -43,9 +43,10 @@ typedef struct {
   double traction[PO_TABLE_ORDER];
 } panel;
 
-static panel panel_of(const po_scene *scene, double domain, const po_solution *p, size_t k) {
+static panel panel_of(const po_scene *scene, const po_solution *p, size_t k) {
   const po_panel place = p->panels->panel[k];
-  panel here = {.begin = domain * po_panel_begin(place), .size = domain * po_panel_size(place)};
+  panel here = {.begin = p->domain * po_panel_begin(place),
+                .size = p->domain * po_panel_size(place)};
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
     here.deflection[j] = p->deflection[k * PO_TABLE_ORDER + j];
     here.traction[j] = po_law_at(&scene->law, p->state[k * PO_TABLE_ORDER + j]).traction;
@@ -173,13 +174,13 @@ static double of_corners(const po_scene *scene, const panel *p) {
  * these polynomials lack. They change sign about as often as a panel has nodes n, so that they
  * deflect the surface by about coupling e size / n. The moduli of the panels are added: their
  * errors may cancel by chance. */
-static double of_panels(const po_scene *scene, double domain, const po_solution *p) {
+static double of_panels(const po_scene *scene, const po_solution *p) {
   const double coupling = po_scene_coupling(scene);
   double change = 0.0, lacking = 0.0;
   parts halves;
   fill_parts(0.5, &halves);
   for (size_t k = 0; k < p->panels->count; ++k) {
-    const panel here = panel_of(scene, domain, p, k);
+    const panel here = panel_of(scene, p, k);
     const integrals finer = finer_integrals(scene, &here, &halves);
     change += fabs(finer.energy - energy_by_nodes(scene, &here));
     lacking += coupling * here.size / PO_TABLE_ORDER * finer.squares;
@@ -218,7 +219,7 @@ static double oscillation(const po_scene *scene, po_wave wave, double r, double 
 /* The error of the average over the waves, by parts: lambda/2 pi times the oscillating part of the
  * integrand at the end of the domain, with the sine of its phase, which is 0 for the main wave
  * (po_averaging_phase); and (lambda/2 pi)^2 times its slope. */
-static double error_of_average(const po_scene *scene, double domain, const po_solution *p) {
+static double error_of_average(const po_scene *scene, const po_solution *p) {
   /* the nodes of the panel to infinity follow those of the domain, the nearest last */
   const double near = p->node[p->n - 1], far = p->node[p->n - 2];
   double error = 0.0;
@@ -228,16 +229,16 @@ static double error_of_average(const po_scene *scene, double domain, const po_so
     const double there = oscillation(scene, wave, far, p->state[p->n - 2]);
     const double decay = po_log(here / there) / po_log(far / near),
                  per_2pi = wave.length / (2.0 * M_PI);
-    const double begin = here * po_pow(near / domain, decay);
+    const double begin = here * po_pow(near / p->domain, decay);
     if (here > 0.0 && there > 0.0)
       error += begin * per_2pi *
-               (fabs(po_sinpi(2.0 * (domain / wave.length))) + per_2pi * decay / domain);
+               (fabs(po_sinpi(2.0 * (p->domain / wave.length))) + per_2pi * decay / p->domain);
   }
   return LEADING * 2.0 / scene->radius * error;
 }
 
 /* The error of the polynomial of the panel to infinity, from its last Legendre coefficients. */
-static double error_of_polynomial(const po_scene *scene, double domain, const po_solution *p) {
+static double error_of_polynomial(const po_scene *scene, const po_solution *p) {
   const po_panel_table *table = po_panel_table_get();
   const double decay = po_panel_decay(scene);
   double last = 0.0;
@@ -251,42 +252,40 @@ static double error_of_polynomial(const po_scene *scene, double domain, const po
     }
     last = fmax(last, fabs(sum));
   }
-  return OF_LAST * 2.0 / scene->radius * domain * domain * last / (decay - 2.0);
+  return OF_LAST * 2.0 / scene->radius * p->domain * p->domain * last / (decay - 2.0);
 }
 
 /* Returned: 0 on a cut surface. Given: a solution on panels. */
-static far_field far_field_error(const po_scene *scene, double domain, const po_solution *p) {
+static far_field far_field_error(const po_scene *scene, const po_solution *p) {
   if (isfinite(scene->outer_radius))
     return (far_field){0.0, 0.0};
-  const double load = error_of_average(scene, domain, p) + error_of_polynomial(scene, domain, p);
+  const double load = error_of_average(scene, p) + error_of_polynomial(scene, p);
   /* as much as a ring of that load at the end of the domain deflects the axis */
-  return (far_field){load, po_scene_coupling(scene) * scene->radius * load / domain};
+  return (far_field){load, po_scene_coupling(scene) * scene->radius * load / p->domain};
 }
 
-double po_energy_error(const po_scene *scene, double domain, double precision,
-                       const po_branch_point *p) {
+double po_energy_error(const po_scene *scene, double precision, const po_branch_point *p) {
   if (!p->gap)
     return RIGID * fmax(1.0, fabs(p->energy));
   if (!p->solution)
     return NAN;
-  return of_panels(scene, domain, p->solution) + precision * (1.0 + fabs(p->load)) +
-         far_field_error(scene, domain, p->solution).load * (1.0 + fabs(p->approach));
+  return of_panels(scene, p->solution) + precision * (1.0 + fabs(p->load)) +
+         far_field_error(scene, p->solution).load * (1.0 + fabs(p->approach));
 }
 
-static po_contact_edge edge_on_panels(const po_request *request, double domain,
-                                      const po_branch_point *p) {
-  const po_contact_gap best = po_contact_gap_on_panels(&request->scene, domain, p->best);
-  const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, domain, p->finer);
+static po_contact_edge edge_on_panels(const po_request *request, const po_branch_point *p) {
+  const po_contact_gap best = po_contact_gap_on_panels(&request->scene, p->best);
+  const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, p->finer);
   /* an error of the approach is an error of the gap */
   const po_contact_doubt doubt = {&finer, po_observe_precision(request->mesh.tolerance),
-                                  far_field_error(&request->scene, domain, p->best).approach};
+                                  far_field_error(&request->scene, p->best).approach};
   return po_contact_estimate(&best, &doubt);
 }
 
-static po_contact_edge edge_of(const po_request *request, double domain, const po_branch_point *p) {
+static po_contact_edge edge_of(const po_request *request, const po_branch_point *p) {
   if (p->finer)
-    return edge_on_panels(request, domain, p);
-  const po_contact_gap gap = po_contact_gap_of(&request->scene, domain, p);
+    return edge_on_panels(request, p);
+  const po_contact_gap gap = po_contact_gap_of(&request->scene, p);
   if (!p->gap &&
       isfinite(p->approach_error)) /* rigid: the error of the gap is that of the approach */
     return po_contact_estimate(&gap, &(po_contact_doubt){.constant = p->approach_error});
@@ -320,7 +319,7 @@ static void estimate_energy(const po_request *request, const po_branch_point *p,
   double from = p->approach, energy = p->energy, change = NAN;
   e->traced_energy_error = NAN;
   if (!p->gap)
-    e->traced_energy_error = change = po_energy_error(&request->scene, NAN, NAN, p);
+    e->traced_energy_error = change = po_energy_error(&request->scene, NAN, p);
   if (p->finer && p->best) {
     from = po_solution_approach(p->best);
     energy = p->best->energy;
@@ -334,9 +333,8 @@ static void estimate_energy(const po_request *request, const po_branch_point *p,
 }
 
 /* Adds the errors that the solution on the finer mesh does not show. */
-static void add_far_field(const po_request *request, double domain, const po_branch_point *p,
-                          po_estimate *e) {
-  const far_field far = far_field_error(&request->scene, domain, p->best);
+static void add_far_field(const po_request *request, const po_branch_point *p, po_estimate *e) {
+  const far_field far = far_field_error(&request->scene, p->best);
   const double far_energy = far.load * (1.0 + fabs(p->approach));
   e->point.contact_radius_error = fmax(e->point.contact_radius_error, edge_error_of_place(p));
   e->point.approach_error += far.approach;
@@ -353,8 +351,8 @@ static const po_special_kind KINDS[] = {[PO_POINT_APPROACH_MAX] = PO_JUMP_IN,
                                         [PO_POINT_LOAD_MAX] = PO_MAXIMUM,
                                         [PO_POINT_LOAD_MIN] = PO_MINIMUM};
 
-po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *p) {
-  const po_contact_edge edge = edge_of(request, domain, p);
+po_estimate po_estimate_of(const po_request *request, const po_branch_point *p) {
+  const po_contact_edge edge = edge_of(request, p);
   po_estimate e = {.point = {.kind = KINDS[p->kind],
                              .approach = p->approach + p->approach_correction,
                              .load = p->load + p->load_correction,
@@ -369,7 +367,7 @@ po_estimate po_estimate_of(const po_request *request, double domain, const po_br
                    .traced_load_error = p->load_error + fabs(p->load_correction)};
   estimate_energy(request, p, &e);
   if (p->best)
-    add_far_field(request, domain, p, &e);
+    add_far_field(request, p, &e);
   return e;
 }
 

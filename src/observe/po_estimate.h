@@ -15,9 +15,9 @@ typedef struct {
   double traced_energy_error; /* of the energy at given approach */
 } po_estimate;
 
-/* Given: the radius of the domain of the panels, eps (panels only); a special point during its
- * visit, whose kind is a fold or an extremum. Returned: without has_base and base_modes. */
-po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *point);
+/* Given: a special point during its visit, whose kind is a fold or an extremum. Returned: without
+ * has_base and base_modes. */
+po_estimate po_estimate_of(const po_request *request, const po_branch_point *point);
 
 /* Makes a minimum of the load the pull-off of a result. */
 void po_estimate_pull_off(const po_estimate *minimum, po_result *result);
@@ -27,9 +27,7 @@ void po_estimate_pull_off(const po_estimate *minimum, po_result *result);
 double po_estimate_miss(const po_request *request);
 
 /* An estimated bound of the error of the energy of any point of a branch at its approach, pi w R
- * eps; NAN for rings and triangles. Given: domain as above, and the precision of Newton's method
- * (panels only). */
-double po_energy_error(const po_scene *scene, double domain, double precision,
-                       const po_branch_point *point);
+ * eps; NAN for rings and triangles. Given: the precision of Newton's method (panels only). */
+double po_energy_error(const po_scene *scene, double precision, const po_branch_point *point);
 
 #endif

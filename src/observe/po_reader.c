@@ -12,15 +12,6 @@
 #include "po_solution.h"
 #include "po_watch.h"
 
-/* The radius of the domain of the panels, eps; without a surface there are none. */
-static double root_of(const po_reader *r) {
-  return r->surface ? r->surface->core_radius : (double)NAN;
-}
-
-static po_estimate estimate_of(const po_reader *r, const po_branch_point *p) {
-  return po_estimate_of(r->request, root_of(r), p);
-}
-
 static bool is_special(const po_branch_point *p) {
   return p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION;
 }
@@ -85,7 +76,7 @@ static void note_minimum(po_reader *r, const po_branch_point *p, const po_estima
     r->result->pull_off.has_sensitivity = po_adjoint_sensitivity(
         &r->request->scene, r->surface, p->solution, &r->result->pull_off.sensitivity);
   keep_status(r, po_adjoint_noise(&r->request->scene, r->surface, p, r->result));
-  const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
+  const po_contact_gap gap = po_contact_gap_of(&r->request->scene, p);
   const double edge = po_contact_radius(&gap);
   r->result->pull_off.full_disc = edge > 0.0 ? po_contact_disc(&gap) / edge : (double)NAN;
   if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
@@ -193,7 +184,7 @@ static po_status pass(po_reader *r, const po_branch_point *p, bool back) {
   po_passage *passage = back ? &r->kept.back : &r->kept.out;
   if (!is_special(p))
     return po_passage_note(passage, NULL, p->unstable_modes, back);
-  const po_estimate e = estimate_of(r, p);
+  const po_estimate e = po_estimate_of(r->request, p);
   return po_passage_note(passage, &e.point, p->unstable_modes, back);
 }
 
@@ -206,7 +197,7 @@ bool po_reader_visit_back(const po_branch_point *p, void *data) {
 
 /* Reads a special point. */
 static void read_special_point(po_reader *r, const po_branch_point *p) {
-  const po_estimate e = estimate_of(r, p);
+  const po_estimate e = po_estimate_of(r->request, p);
   keep_status(r, add_special_point(&r->special, p, r->request->stiffness, &e, r->result));
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, &e);
@@ -293,7 +284,7 @@ static double energy_error_of(const po_reader *r, const po_branch_point *p) {
   if (!(r->request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD)))
     return NAN;
   const double precision = po_observe_precision(r->request->mesh.tolerance);
-  return po_energy_error(&r->request->scene, root_of(r), precision, p);
+  return po_energy_error(&r->request->scene, precision, p);
 }
 
 bool po_reader_visit(const po_branch_point *p, void *data) {
@@ -303,7 +294,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     return true;
   if (r->diagnoses)
     r->status = pass(r, p, false);
-  const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
+  const po_contact_gap gap = po_contact_gap_of(&r->request->scene, p);
   const double contact_radius = po_contact_radius(&gap);
   keep_status(
       r, add_to_path(&r->points, p, r->request->stiffness, contact_radius, energy_error_of(r, p)));

@@ -76,16 +76,15 @@ static double record_minimum(interval *s, size_t index) {
   const po_request *request = &s->l->requests[index];
   po_result *o = &s->l->results[index];
   const double before = deepest_at(s, index);
-  const double domain = po_follow_domain(s->follower);
   po_branch_point p = po_follow_point(s->follower, false);
-  if (po_series_is_cut_off(request, domain, &p))
+  if (po_series_is_cut_off(request, &p))
     return NAN;
   const double load = p.load;
   if (index == s->from->index || index == s->to->index || !(load < before))
     return load;
   o->work.nodes = o->work.nodes > p.n ? o->work.nodes : p.n;
   p = po_follow_point(s->follower, true);
-  const po_estimate e = po_estimate_of(request, domain, &p);
+  const po_estimate e = po_estimate_of(request, &p);
   po_estimate_pull_off(&e, o);
   o->followed = true;
   return load;

@@ -12,12 +12,11 @@
 /* Records the special point at which the follower is. Returned: false if the contact reaches the
  * end of the core of the surface. */
 static bool record_fold(po_follower *follower, const po_request *request, po_special_point *fold) {
-  const double domain = po_follow_domain(follower);
   po_branch_point p = po_follow_point(follower, false);
-  if (po_series_is_cut_off(request, domain, &p))
+  if (po_series_is_cut_off(request, &p))
     return false;
   p = po_follow_point(follower, true);
-  const po_estimate e = po_estimate_of(request, domain, &p);
+  const po_estimate e = po_estimate_of(request, &p);
   const po_special_point first = *fold;
   *fold = e.point;
   fold->kind = first.kind;

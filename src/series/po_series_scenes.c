@@ -126,10 +126,9 @@ po_status po_series_follower(const po_series_scenes *l, size_t first, double tol
   return po_follow_create(&options, (double)first, follower);
 }
 
-bool po_series_is_cut_off(const po_request *request, double domain,
-                          const po_branch_point *special) {
-  const po_contact_gap gap = po_contact_gap_of(&request->scene, domain, special);
-  return po_observe_is_cut_off(&request->scene, po_contact_radius(&gap), domain);
+bool po_series_is_cut_off(const po_request *request, const po_branch_point *special) {
+  const po_contact_gap gap = po_contact_gap_of(&request->scene, special);
+  return po_observe_is_cut_off(&request->scene, po_contact_radius(&gap), special->solution->domain);
 }
 
 void po_series_add_work(const po_follower *follower, double seconds, po_work *before,

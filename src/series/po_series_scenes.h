@@ -51,9 +51,8 @@ po_status po_series_follower(const po_series_scenes *l, size_t first, double tol
                              po_follower **follower);
 
 /* Returned: whether the contact of a followed special point reaches the end of the core of its
- * surface, so that a trace would enlarge the core. Given: domain, the radius of the domain of the
- * panels, eps. */
-bool po_series_is_cut_off(const po_request *request, double domain, const po_branch_point *special);
+ * surface, so that a trace would enlarge the core. */
+bool po_series_is_cut_off(const po_request *request, const po_branch_point *special);
 
 /* Adds the work since the last call. Given: seconds, its elapsed time; before, the work of the
  * follower up to that call. */

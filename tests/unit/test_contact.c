@@ -14,7 +14,7 @@ static const double PEAK_GAP = 0.20093695517600277; /* 3^(1/6) - 1, of the law o
 static po_contact_gap gap_on_nodes(const po_scene *flat, size_t n, const double *node,
                                    const double *gap) {
   const po_branch_point point = {.n = n, .node = node, .gap = gap};
-  return po_contact_gap_of(flat, NAN, &point);
+  return po_contact_gap_of(flat, &point);
 }
 
 static po_scene flat_scene(void) {
@@ -65,7 +65,7 @@ END_TEST
 
 static po_contact_gap rigid_gap(const po_scene *scene, double approach) {
   const po_branch_point point = {.approach = approach};
-  return po_contact_gap_of(scene, NAN, &point);
+  return po_contact_gap_of(scene, &point);
 }
 
 /* The crest nearest a multiple of the wavelength, where the slope r/R + A k sin(k r) vanishes. */
