@@ -205,7 +205,7 @@ static po_status request_size_check(const po_request *request) {
                  LEAST_PART * (double)size.nodes, 1e-9 * least, 1e-9 * memory);
 }
 
-static po_status attempt(const po_request *request, const po_keeper *keeper, double deadline,
+static po_status attempt(const po_request *request, po_kept_points *kept, double deadline,
                          po_result *result) {
   po_status status = po_request_check(request);
   if (!status)
@@ -221,7 +221,7 @@ static po_status attempt(const po_request *request, const po_keeper *keeper, dou
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     po_result_clear(result);
-    status = po_trace(request, rigid, &a, deadline, keeper, result);
+    status = po_trace(request, rigid, &a, deadline, kept, result);
     add_work(&result->work, &work);
     double excess = status || rigid ? 0.0 : excess_error(request, result);
     if (!status && a.unmet_folds > 0)
@@ -257,16 +257,16 @@ double po_observe_deadline(const po_request *request) {
   return isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
 }
 
-/* Traces the branch of a scene, repeatedly if its errors exceed the tolerance. Given: keeper, which
- * receives minima and folds, or NULL. Returned: the result, except its status and reason. */
-static po_status trace_attempts(const po_request *request, const po_keeper *keeper, double deadline,
+/* Traces the branch of a scene, repeatedly if its errors exceed the tolerance. Given: kept, NULL:
+ * no points are kept. Returned: the result, except its status and reason. */
+static po_status trace_attempts(const po_request *request, po_kept_points *kept, double deadline,
                                 po_result *result) {
   *result = po_result_none();
   const double begin = po_clock_wall();
   po_message_clear();
   po_status status = po_linear_reserve(1);
   if (!status)
-    status = attempt(request, keeper, deadline, result);
+    status = attempt(request, kept, deadline, result);
   result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
   return status;
 }
@@ -280,10 +280,10 @@ static po_status finish(po_status status, po_result *result) {
   return result->status;
 }
 
-po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result) {
+po_status po_observe_kept(const po_request *request, po_kept_points *kept, po_result *result) {
   const double deadline = po_observe_deadline(request);
   const po_watch before = po_watch_begin(request->stop, deadline);
-  const po_status status = trace_attempts(request, keeper, deadline, result);
+  const po_status status = trace_attempts(request, kept, deadline, result);
   po_watch_end(before);
   return finish(status, result);
 }

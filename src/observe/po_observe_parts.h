@@ -7,17 +7,25 @@
 #include "po_request.h"
 #include "po_resolution.h"
 #include "po_result.h"
+#include "po_solution.h"
 
-/* A receiver of the minima of the load and of the folds, with their solutions, as needed for
- * parameter continuation. */
+/* A special point of a trace on its panels, from which parameter continuation begins. */
 typedef struct {
-  void (*begin)(void *data,
-                double tolerance); /* a trace begins; those of earlier traces are to be discarded */
-  /* Given: the margin of the stopping rule at the point. Returned: false if there is no memory */
-  bool (*special)(void *data, const po_branch_point *point, double margin);
-  void *data;
-  bool minima_only; /* the errors of folds are not needed */
-} po_keeper;
+  po_solution point;
+  double approach, load;
+  double margin; /* of the stopping rule at this point, see po_stopping.h */
+} po_kept_point;
+
+/* The tensile minima of the load of a trace, or its folds. */
+typedef struct {
+  bool minima; /* then the errors of folds are not estimated */
+  po_kept_point *points;
+  size_t count, room;
+  po_arrays arrays; /* of the points */
+  double tolerance; /* of the trace */
+} po_kept_points;
+
+void po_kept_points_clear(po_kept_points *kept);
 
 /* The settings of one trace, which change if it is repeated. */
 typedef struct {
@@ -29,19 +37,20 @@ typedef struct {
 
 /* Traces the branch of a request once (po_trace.c). Given: rigid, whether the scene is solved
  * without elasticity; the settings; deadline, the processor time at which the function gives up;
- * keeper, which receives minima and folds, or NULL. Returned: result; a->begin is changed if
- * unloading leads to a smaller approach than the trace began with. Status: that of the trace;
- * PO_NOT_FOUND if there is no pull-off. */
+ * kept, NULL: no points are kept. Returned: result; the points that are kept, in place of those of
+ * an earlier trace; a->begin is changed if unloading leads to a smaller approach than the trace
+ * began with. Status: that of the trace; PO_NOT_FOUND if there is no pull-off. */
 po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
-                   const po_keeper *keeper, po_result *result);
+                   po_kept_points *kept, po_result *result);
 
 /* The processor time (po_clock_thread) at which the solve of a request gives up; INFINITY: no
  * limit. */
 double po_observe_deadline(const po_request *request);
 
-/* po_observe without the companion theory and
- * without the solves with changed inputs (po_diagnose_moved). */
-po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result);
+/* po_observe without the companion theory and without the solves with changed inputs
+ * (po_diagnose_moved). Given: kept, empty but for `minima`, or NULL. Returned: kept, to be cleared
+ * whatever the status. */
+po_status po_observe_kept(const po_request *request, po_kept_points *kept, po_result *result);
 
 /* Solves the scene again with each uncertain input, and with the profile changed by its noise, both
  * ways (doc/method.md, "Uncertain inputs"). Given: a request with a pull-off in its result;

@@ -83,9 +83,29 @@ static void note_minimum(po_reader *r, const po_branch_point *p, const po_estima
     keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
 }
 
-static bool is_kept(po_point_kind kind) {
-  return kind == PO_POINT_LOAD_MIN || kind == PO_POINT_APPROACH_MAX ||
-         kind == PO_POINT_APPROACH_MIN;
+void po_kept_points_clear(po_kept_points *kept) {
+  po_arrays_free(&kept->arrays);
+  free(kept->points);
+  *kept = (po_kept_points){0};
+}
+
+/* Keeps a special point on panels if it is one of those that are wanted. Given: the margin of the
+ * stopping rule. Status: PO_NO_MEMORY. */
+static po_status keep_point(po_kept_points *kept, const po_branch_point *p, double margin) {
+  const bool fold = p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN;
+  const bool minimum = p->kind == PO_POINT_LOAD_MIN && p->load < 0.0;
+  if (!p->solution || !(kept->minima ? minimum : fold))
+    return PO_OK;
+  po_kept_point *points = po_grow(kept->points, kept->count, &kept->room, sizeof *points);
+  if (!points)
+    return PO_NO_MEMORY;
+  kept->points = points;
+  po_kept_point *new = &points[kept->count++];
+  *new = (po_kept_point){.approach = p->approach, .load = p->load, .margin = margin};
+  const po_status status = po_solution_allocate(&new->point, p->solution->n, &kept->arrays);
+  if (!status)
+    po_solution_copy(p->solution, &new->point);
+  return status;
 }
 
 po_reader po_reader_begin(const po_request *request, po_result *result, double deadline) {
@@ -201,8 +221,8 @@ static void read_special_point(po_reader *r, const po_branch_point *p) {
   keep_status(r, add_special_point(&r->special, p, r->request->stiffness, &e, r->result));
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, &e);
-  if (r->keeper && is_kept(p->kind) && !r->keeper->special(r->keeper->data, p, r->stopping.margin))
-    r->status = PO_NO_MEMORY;
+  if (r->kept_points)
+    keep_status(r, keep_point(r->kept_points, p, r->stopping.margin));
 }
 
 /* Gauss's rule with three points on (0, 1). It is exact for the integrand, a cubic times the

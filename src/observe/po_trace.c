@@ -21,7 +21,7 @@ static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LO
 static po_continuation_options options_of(const po_request *request, double begin,
                                           po_reader *reader) {
   po_continuation_options options = po_continuation_options_default();
-  options.minima_only = reader->keeper && reader->keeper->minima_only;
+  options.minima_only = reader->kept_points && reader->kept_points->minima;
   options.end = request->approach_end;
   if (isfinite(request->preload.approach))
     options.station[0] = request->preload.approach;
@@ -173,12 +173,15 @@ static po_status end_search(po_status status, po_reader *reader) {
 }
 
 po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
-                   const po_keeper *keeper, po_result *result) {
+                   po_kept_points *kept, po_result *result) {
   po_surface *surface = NULL;
   po_reader reader = po_reader_begin(request, result, deadline);
-  reader.keeper = keeper;
-  if (keeper)
-    keeper->begin(keeper->data, a->tolerance);
+  reader.kept_points = kept;
+  if (kept) {
+    const bool minima = kept->minima;
+    po_kept_points_clear(kept);
+    *kept = (po_kept_points){.minima = minima, .tolerance = a->tolerance};
+  }
   po_status status = PO_OK;
   if (!rigid || (request->want & PO_WANT_PROFILE) || request->show)
     status = make_surface(request, rigid, a->core, &surface);

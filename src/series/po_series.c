@@ -3,11 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_estimate.h"
 #include "po_memory.h"
-#include "po_observe_parts.h"
 #include "po_series_scenes.h"
-#include "po_watch.h"
 
 /* A scene of a series that is traced completely, with the minima of its load. */
 typedef struct {
@@ -35,13 +32,12 @@ typedef struct {
 typedef struct {
   const po_series_scenes *l;
   const checkpoint *from, *to;
-  po_follower *follower;
+  po_series_course course;
   size_t inside; /* number of scenes between the checkpoints */
   double *load;  /* rows x (inside + 2): the load of each followed minimum at each scene; NAN: it
                     does not exist there */
   followed *row; /* rows: the minima */
   size_t rows;
-  po_work before;
 } interval;
 
 static bool may_follow(const interval *s) {
@@ -70,30 +66,24 @@ static double load_tolerance(const interval *s, double load) {
   return SAME_LOAD * s->l->requests[s->from->index].mesh.tolerance * fabs(load);
 }
 
-/* Records the minimum at which the follower is as the pull-off of a scene if it is the deepest up
- * to now. Returned: its load; NAN if the contact reaches the end of the core of the surface. */
-static double record_minimum(interval *s, size_t index) {
-  const po_request *request = &s->l->requests[index];
+/* Records a minimum as the pull-off of a scene if it is the deepest up to now. */
+static void record_minimum(void *data, size_t index, const po_branch_point *p) {
+  interval *s = data;
   po_result *o = &s->l->results[index];
   const double before = deepest_at(s, index);
-  po_branch_point p = po_follow_point(s->follower, false);
-  if (po_series_is_cut_off(request, &p))
-    return NAN;
-  const double load = p.load;
-  if (index == s->from->index || index == s->to->index || !(load < before))
-    return load;
-  o->work.nodes = o->work.nodes > p.n ? o->work.nodes : p.n;
-  p = po_follow_point(s->follower, true);
-  const po_estimate e = po_estimate_of(request, &p);
+  *load_of(s, s->rows - 1, index) = p->load;
+  if (index == s->from->index || index == s->to->index || !(p->load < before))
+    return;
+  o->work.nodes = o->work.nodes > p->n ? o->work.nodes : p->n;
+  const po_estimate e = po_series_estimate(&s->course, index);
   po_estimate_pull_off(&e, o);
   o->followed = true;
-  return load;
 }
 
 /* Returned: the minimum of a checkpoint at which the follower has arrived; NULL if the trace did
  * not find it. */
 static const po_kept_point *find_arrived(const interval *s, const checkpoint *at) {
-  const po_branch_point p = po_follow_point(s->follower, false);
+  const po_branch_point p = po_follow_point(s->course.follower, false);
   const po_kept_point *best = NULL;
   double nearest = AGREEING_APPROACH * (1.0 + fabs(p.approach));
   for (size_t k = 0; k < at->kept.count; ++k) {
@@ -118,38 +108,20 @@ static double moved_to(const interval *s, const po_kept_point *m, const po_branc
 /* Follows a minimum of one checkpoint towards the other. Status: PO_NO_MEMORY, PO_INTERRUPTED; a
  * minimum that ends between the checkpoints is not a failure. */
 static po_status follow(interval *s, const po_kept_point *m, bool forward) {
-  const checkpoint *from = forward ? s->from : s->to;
-  const size_t row = s->rows++, steps = s->inside + 1;
-  s->row[row] = (followed){.from = m, .load_at_end = NAN};
-  for (size_t k = 0; k <= steps; ++k)
-    *load_of(s, row, s->from->index + k) = NAN;
-  *load_of(s, row, from->index) = m->load;
-  double begin = po_clock_wall();
-  po_status status = po_follow_begin(s->follower, &m->point, PO_OF_LOAD, (double)from->index);
-  bool merged = false;
-  for (size_t k = 1; k <= steps && !status; ++k) {
-    const size_t index = forward ? from->index + k : from->index - k;
-    const volatile sig_atomic_t *stop = s->l->requests[index].stop;
-    if (stop && *stop)
-      return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
-    if (s->l->requests[index].watch)
-      s->l->requests[index].watch(s->l->requests[index].watcher, (double)NAN, (double)NAN);
-    status = po_follow_to(s->follower, (double)index, po_observe_deadline(&s->l->requests[index]));
-    merged = status == PO_NOT_FOUND;
-    if (!status)
-      *load_of(s, row, index) = record_minimum(s, index);
-    const double now = po_clock_wall();
-    po_series_add_work(s->follower, now - begin, &s->before, &s->l->results[index].work);
-    begin = now;
-    if (!status && isnan(*load_of(s, row, index)))
-      status = PO_NOT_FOUND;
-  }
+  const checkpoint *from = forward ? s->from : s->to, *to = forward ? s->to : s->from;
+  followed *row = &s->row[s->rows++];
+  *row = (followed){.from = m, .load_at_end = NAN};
+  for (size_t k = s->from->index; k <= s->to->index; ++k)
+    *load_of(s, s->rows - 1, k) = k == from->index ? m->load : (double)NAN;
+  const po_status status = po_series_follow(&s->course, &m->point, from->index, to->index);
+  if (status == PO_INTERRUPTED)
+    return status;
   if (status) {
-    const po_branch_point end = po_follow_point(s->follower, false);
-    s->row[row].load_at_end = end.load;
-    s->row[row].moved = merged ? moved_to(s, m, &end) : INFINITY;
+    const po_branch_point end = po_follow_point(s->course.follower, false);
+    row->load_at_end = end.load;
+    row->moved = status == PO_NOT_FOUND ? moved_to(s, m, &end) : INFINITY;
   } else
-    s->row[row].arrived = find_arrived(s, forward ? s->to : s->from);
+    row->arrived = find_arrived(s, to);
   po_message_clear();
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
@@ -251,6 +223,8 @@ static po_status follow_all(interval *s) {
 static po_status follow_minima(const po_series_scenes *scenes, const checkpoint *from,
                                const checkpoint *to, bool *settled) {
   interval s = {.l = scenes, .from = from, .to = to, .inside = to->index - from->index - 1};
+  s.course =
+      (po_series_course){.scenes = scenes, .of = PO_OF_LOAD, .record = record_minimum, .data = &s};
   *settled = false;
   if (!may_follow(&s))
     return PO_OK;
@@ -259,12 +233,12 @@ static po_status follow_minima(const po_series_scenes *scenes, const checkpoint 
   s.row = po_allocate(most, sizeof *s.row);
   po_status status = s.load && s.row ? PO_OK : PO_NO_MEMORY;
   if (!status)
-    status = po_series_follower(scenes, from->index, fmin(from->kept.tolerance, to->kept.tolerance),
-                                &s.follower);
+    status = po_series_course_begin(&s.course, from->index,
+                                    fmin(from->kept.tolerance, to->kept.tolerance));
   if (!status)
     status = follow_all(&s);
   *settled = !status && agrees(&s);
-  po_follow_destroy(s.follower);
+  po_follow_destroy(s.course.follower);
   free(s.load);
   free(s.row);
   return status;
@@ -287,7 +261,7 @@ static int by_depth(const void *left, const void *right) {
 static po_status checkpoint_trace(const po_request *request, size_t index, po_result *result,
                                   checkpoint *a) {
   *a = (checkpoint){.index = index, .kept = {.minima = true}};
-  const po_status status = po_series_trace(request, &a->kept, result);
+  const po_status status = po_observe_kept(request, &a->kept, result);
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;
   a->usable = !status && a->kept.count > 0;

@@ -2,57 +2,46 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "po_estimate.h"
 #include "po_memory.h"
-#include "po_observe_parts.h"
 #include "po_series.h"
 #include "po_series_scenes.h"
-#include "po_watch.h"
 
-/* Records the special point at which the follower is. Returned: false if the contact reaches the
- * end of the core of the surface. */
-static bool record_fold(po_follower *follower, const po_request *request, po_special_point *fold) {
-  po_branch_point p = po_follow_point(follower, false);
-  if (po_series_is_cut_off(request, &p))
-    return false;
-  p = po_follow_point(follower, true);
-  const po_estimate e = po_estimate_of(request, &p);
+/* A fold that is followed, by its place in the results. */
+typedef struct {
+  po_series_course course;
+  size_t place;
+} followed;
+
+static void record_fold(void *data, size_t index, const po_branch_point *p) {
+  const followed *f = data;
+  (void)p;
+  po_special_point *fold = &f->course.scenes->results[index].folds[f->place];
   const po_special_point first = *fold;
-  *fold = e.point;
+  *fold = po_series_estimate(&f->course, index).point;
   fold->kind = first.kind;
   fold->unstable_modes = first.unstable_modes;
   fold->energy = fold->energy_error = fold->position = NAN;
-  return true;
 }
 
-/* Marks all scenes from `first` on: whether the fold exists there is unknown. */
-static void fail_from(const po_series_scenes *l, size_t first, po_status status) {
-  for (size_t k = first; k < l->count; ++k) {
+/* Fails all scenes to which a fold was not followed: whether it exists there is unknown. */
+static void fail_others(const po_series_scenes *l, size_t place, po_status status) {
+  for (size_t k = 1; k < l->count; ++k) {
     po_result *o = &l->results[k];
+    if (!isnan(o->folds[place].approach))
+      continue;
     o->status = status;
     snprintf(o->reason, sizeof o->reason, "%s", po_message());
   }
 }
 
 /* Follows one fold until it ends. Status: PO_INTERRUPTED, PO_NO_MEMORY. */
-static po_status follow(const po_series_scenes *l, po_follower *follower, const po_solution *point,
-                        size_t place, po_work *before) {
-  po_status status = po_follow_begin(follower, point, PO_OF_APPROACH, 0.0);
-  for (size_t k = 1; k < l->count && !status; ++k) {
-    const po_request *request = &l->requests[k];
-    po_result *o = &l->results[k];
-    if (request->stop && *request->stop)
-      return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
-    if (request->watch)
-      request->watch(request->watcher, (double)NAN, (double)NAN);
-    const double start = po_clock_wall();
-    status = po_follow_to(follower, (double)k, po_observe_deadline(request));
-    if (!status && !record_fold(follower, request, &o->folds[place]))
-      status = PO_NOT_FOUND;
-    po_series_add_work(follower, po_clock_wall() - start, before, &o->work);
-    if (status == PO_OUT_OF_TIME)
-      fail_from(l, k, status);
-  }
+static po_status follow(followed *f, const po_solution *point) {
+  const po_series_scenes *l = f->course.scenes;
+  const po_status status = po_series_follow(&f->course, point, 0, l->count - 1);
+  if (status == PO_INTERRUPTED)
+    return status;
+  if (status == PO_OUT_OF_TIME)
+    fail_others(l, f->place, status);
   po_message_clear();
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
@@ -80,15 +69,15 @@ static po_status allocate_folds(const po_series_scenes *l) {
   return PO_OK;
 }
 
-static po_status follow_all(const po_series_scenes *l, const po_kept_points *f) {
-  po_follower *follower = NULL;
-  po_work before = {0};
+static po_status follow_all(const po_series_scenes *l, const po_kept_points *folds) {
+  followed f = {.course = {.scenes = l, .of = PO_OF_APPROACH, .record = record_fold}};
+  f.course.data = &f;
   po_status status = allocate_folds(l);
   if (!status)
-    status = po_series_follower(l, 0, f->tolerance, &follower);
-  for (size_t j = 0; j < f->count && !status; ++j)
-    status = follow(l, follower, &f->points[j].point, j, &before);
-  po_follow_destroy(follower);
+    status = po_series_course_begin(&f.course, 0, folds->tolerance);
+  for (; f.place < folds->count && !status; ++f.place)
+    status = follow(&f, &folds->points[f.place].point);
+  po_follow_destroy(f.course.follower);
   return status;
 }
 
@@ -101,7 +90,7 @@ static po_status solve(const po_series_scenes *l) {
                      "wavy or both smooth, both bounded or both unbounded",
                      k + 1);
   po_kept_points f = {.minima = false};
-  po_status status = po_series_trace(&requests[0], &f, &l->results[0]);
+  po_status status = po_observe_kept(&requests[0], &f, &l->results[0]);
   if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)
     status = PO_OK;
   /* the numbers differ for a rigid scene, and for one whose curve begins after the first fold */

@@ -7,7 +7,7 @@
 #include "po_elementary.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
-#include "po_observe_parts.h"
+#include "po_watch.h"
 
 /* Interpolates between two values, logarithmically if both are positive. */
 static double between(double a, double b, double part) {
@@ -58,43 +58,6 @@ po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_s
   return status;
 }
 
-static void begin(void *data, double tolerance) {
-  po_kept_points *kept = data;
-  po_arrays_free(&kept->arrays);
-  kept->count = 0;
-  kept->tolerance = tolerance;
-}
-
-static bool keep(void *data, const po_branch_point *p, double margin) {
-  po_kept_points *kept = data;
-  const bool wanted = kept->minima
-                          ? p->kind == PO_POINT_LOAD_MIN && p->load < 0.0
-                          : p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN;
-  if (!p->solution || !wanted)
-    return true;
-  po_kept_point *points = po_grow(kept->points, kept->count, &kept->room, sizeof *points);
-  if (!points)
-    return false;
-  kept->points = points;
-  po_kept_point *new = &points[kept->count++];
-  *new = (po_kept_point){.approach = p->approach, .load = p->load, .margin = margin};
-  if (po_solution_allocate(&new->point, p->solution->n, &kept->arrays))
-    return false;
-  po_solution_copy(p->solution, &new->point);
-  return true;
-}
-
-po_status po_series_trace(const po_request *request, po_kept_points *kept, po_result *result) {
-  const po_keeper keeper = {begin, keep, kept, kept->minima};
-  return po_observe_kept(request, &keeper, result);
-}
-
-void po_kept_points_clear(po_kept_points *kept) {
-  po_arrays_free(&kept->arrays);
-  free(kept->points);
-  *kept = (po_kept_points){0};
-}
-
 static double domain_of(const po_scene *scene) {
   return po_observe_domain(scene, po_surface_core(scene, NAN));
 }
@@ -115,31 +78,62 @@ bool po_series_alike(const po_request *a, const po_request *b) {
          isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
 }
 
-po_status po_series_follower(const po_series_scenes *l, size_t first, double tolerance,
-                             po_follower **follower) {
+po_status po_series_course_begin(po_series_course *c, size_t first, double tolerance) {
   const po_follow_options options = {scene_at,
                                      domain_of,
-                                     (void *)l,
+                                     (void *)c->scenes,
                                      po_observe_allowance(tolerance),
                                      po_observe_precision(tolerance),
                                      tolerance};
-  return po_follow_create(&options, (double)first, follower);
+  return po_follow_create(&options, (double)first, &c->follower);
 }
 
-bool po_series_is_cut_off(const po_request *request, const po_branch_point *special) {
-  const po_contact_gap gap = po_contact_gap_of(&request->scene, special);
-  return po_observe_is_cut_off(&request->scene, po_contact_radius(&gap), special->solution->domain);
-}
-
-void po_series_add_work(const po_follower *follower, double seconds, po_work *before,
-                        po_work *work) {
-  const po_work now = po_follow_work(follower);
-  work->points += now.points - before->points;
-  work->newton_iterations += now.newton_iterations - before->newton_iterations;
-  work->factorizations += now.factorizations - before->factorizations;
-  work->meshes += now.meshes - before->meshes;
-  work->kernel_evaluations += now.kernel_evaluations - before->kernel_evaluations;
+/* Adds the work since the last call. Given: seconds, its elapsed time. */
+static void add_work(po_series_course *c, double seconds, po_work *work) {
+  const po_work now = po_follow_work(c->follower), before = c->counted;
+  work->points += now.points - before.points;
+  work->newton_iterations += now.newton_iterations - before.newton_iterations;
+  work->factorizations += now.factorizations - before.factorizations;
+  work->meshes += now.meshes - before.meshes;
+  work->kernel_evaluations += now.kernel_evaluations - before.kernel_evaluations;
   work->factorized_nodes = now.factorized_nodes;
   work->seconds += seconds;
-  *before = now;
+  c->counted = now;
+}
+
+/* Records the point at which the follower is. Status: PO_OUT_OF_DOMAIN. */
+static po_status record(const po_series_course *c, size_t index) {
+  const po_scene *scene = &c->scenes->requests[index].scene;
+  const po_branch_point p = po_follow_point(c->follower, false);
+  const po_contact_gap gap = po_contact_gap_of(scene, &p);
+  if (po_observe_is_cut_off(scene, po_contact_radius(&gap), p.solution->domain))
+    return PO_OUT_OF_DOMAIN;
+  c->record(c->data, index, &p);
+  return PO_OK;
+}
+
+po_status po_series_follow(po_series_course *c, const po_solution *point, size_t first,
+                           size_t last) {
+  double begin = po_clock_wall();
+  po_status status = po_follow_begin(c->follower, point, c->of, (double)first);
+  for (size_t k = first; k != last && !status;) {
+    k = first < last ? k + 1 : k - 1;
+    const po_request *request = &c->scenes->requests[k];
+    if (request->stop && *request->stop)
+      return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
+    if (request->watch)
+      request->watch(request->watcher, (double)NAN, (double)NAN);
+    status = po_follow_to(c->follower, (double)k, po_observe_deadline(request));
+    if (!status)
+      status = record(c, k);
+    const double now = po_clock_wall();
+    add_work(c, now - begin, &c->scenes->results[k].work);
+    begin = now;
+  }
+  return status;
+}
+
+po_estimate po_series_estimate(const po_series_course *c, size_t index) {
+  const po_branch_point p = po_follow_point(c->follower, true);
+  return po_estimate_of(&c->scenes->requests[index], &p);
 }

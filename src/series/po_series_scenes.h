@@ -2,9 +2,9 @@
 #ifndef PO_SERIES_SCENES_H
 #define PO_SERIES_SCENES_H
 
+#include "po_estimate.h"
 #include "po_follow.h"
-#include "po_request.h"
-#include "po_result.h"
+#include "po_observe_parts.h"
 
 /* The continuation parameter of a scene is its index in the series; non-integer values interpolate
  * between scenes. */
@@ -20,43 +20,33 @@ typedef struct {
  * that of `solve`. */
 po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_series_scenes *l));
 
-/* A special point of a trace on its panels. */
-typedef struct {
-  po_solution point;
-  double approach, load;
-  double margin; /* of the stopping rule at this point, see po_stopping.h */
-} po_kept_point;
-
-/* The tensile minima of the load of a trace, or its folds. */
-typedef struct {
-  bool minima;
-  po_kept_point *points;
-  size_t count, room;
-  po_arrays arrays; /* of the points */
-  double tolerance; /* with which the trace met the requested one */
-} po_kept_points;
-
-/* Solves a request and keeps the points of its trace, to be cleared whatever the status. Given:
- * kept, empty but for `minima`. Status: as po_observe_kept. */
-po_status po_series_trace(const po_request *request, po_kept_points *kept, po_result *result);
-void po_kept_points_clear(po_kept_points *kept);
-
 /* Returned: whether minima and folds can be followed between two scenes: only numbers of the scene
  * differ, and only the pull-off is wanted. */
 bool po_series_alike(const po_request *a, const po_request *b);
 
-/* Creates a follower for the scenes, with a tolerance. It begins at the scene `first`. Status:
- * PO_NO_MEMORY. */
-po_status po_series_follower(const po_series_scenes *l, size_t first, double tolerance,
-                             po_follower **follower);
+/* Follows special points from scene to scene. */
+typedef struct {
+  const po_series_scenes *scenes;
+  po_event_kind of; /* of the load or of the approach */
+  /* Called where the follower has reached a scene. Given: the point there, without errors. */
+  void (*record)(void *data, size_t index, const po_branch_point *point);
+  void *data;
+  po_follower *follower; /* made by po_series_course_begin, to be destroyed */
+  po_work counted;       /* that part of its work which the results have */
+} po_series_course;
 
-/* Returned: whether the contact of a followed special point reaches the end of the core of its
- * surface, so that a trace would enlarge the core. */
-bool po_series_is_cut_off(const po_request *request, const po_branch_point *special);
+/* Given: a course without a follower; tolerance, that of the follower, which begins at the scene
+ * `first`. Status: PO_NO_MEMORY. */
+po_status po_series_course_begin(po_series_course *course, size_t first, double tolerance);
 
-/* Adds the work since the last call. Given: seconds, its elapsed time; before, the work of the
- * follower up to that call. */
-void po_series_add_work(const po_follower *follower, double seconds, po_work *before,
-                        po_work *work);
+/* Follows a point of the scene `first` up to the scene `last`, which may be before it. Returned:
+ * the work, in the results. Status: PO_OUT_OF_DOMAIN if the contact reaches the end of the core of
+ * the surface, so that a trace would enlarge the core; PO_INTERRUPTED; that of po_follow_begin and
+ * po_follow_to. */
+po_status po_series_follow(po_series_course *course, const po_solution *point, size_t first,
+                           size_t last);
+
+/* The point at which the follower is, solved for its errors. Given: the index of its scene. */
+po_estimate po_series_estimate(const po_series_course *course, size_t index);
 
 #endif
