@@ -105,8 +105,8 @@ po_status po_diagnose_out_of_time(const po_request *request, const char *what) {
                  request->time_limit, what);
 }
 
-po_status po_diagnose_states(const po_request *request, double deadline, const po_kept *kept,
-                             po_equilibrium *e, po_result *result) {
+po_status po_diagnose_states(const po_request *request, const po_kept *kept, po_equilibrium *e,
+                             po_result *result) {
   po_diagnostics *d = &result->diagnostics;
   const double begin = po_clock_wall();
   double *state = po_allocate(e->surface->capacity + 1, sizeof *state);
@@ -115,10 +115,11 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
   for (size_t k = 0; !status && k < PO_MOST_KEPT; ++k) {
     if (!kept->states[k].n)
       continue;
-    if (po_clock_thread() > deadline) {
+    status = po_watch_look();
+    if (status == PO_OUT_OF_TIME)
       status = po_diagnose_out_of_time(request, "not every state is diagnosed");
+    if (status)
       break;
-    }
     const po_status made = diagnose(&kept->states[k], e, state, d);
     d->undiagnosed += made ? 1 : 0;
     status = made == PO_NO_MEMORY ? made : PO_OK;

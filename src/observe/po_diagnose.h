@@ -37,11 +37,10 @@ typedef struct {
   po_passage out, back; /* of the forward and of the reverse trace */
 } po_kept;
 
-/* Diagnoses the states kept of a trace. Given: deadline, the processor time (po_clock_thread) at
- * which the function gives up; the equilibrium of the trace. Returned: in the result. Status:
- * PO_NO_MEMORY, PO_OUT_OF_TIME. */
-po_status po_diagnose_states(const po_request *request, double deadline, const po_kept *kept,
-                             po_equilibrium *e, po_result *result);
+/* Diagnoses the states kept of a trace. Given: the equilibrium of the trace. Returned: in the
+ * result. Status: PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME. */
+po_status po_diagnose_states(const po_request *request, const po_kept *kept, po_equilibrium *e,
+                             po_result *result);
 
 /* Fails with PO_OUT_OF_TIME and a message that the branch is traced, followed by `what`. */
 po_status po_diagnose_out_of_time(const po_request *request, const char *what);

@@ -2,81 +2,15 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "po_diagnose.h"
 #include "po_linear.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
-#include "po_rigid.h"
 #include "po_scales.h"
 #include "po_size.h"
 #include "po_watch.h"
-
-/* The largest change of the approach of a fold; NaN if the number of folds differs. */
-static double change_of_folds(const po_result *a, const po_result *b) {
-  double largest = 0.0;
-  for (size_t k = 0; k < a->fold_count && a->fold_count == b->fold_count; ++k)
-    largest = fmax(largest, fabs(a->folds[k].approach - b->folds[k].approach));
-  return a->fold_count == b->fold_count ? largest : (double)NAN;
-}
-
-static po_status move(const po_request *request, const po_result *result, po_moved *moved) {
-  po_result again;
-  const po_status status = po_observe_kept(request, NULL, &again);
-  ++moved->solves;
-  if (status || !again.has_pull_off) {
-    ++moved->failed;
-  } else {
-    const double change = fabs(again.pull_off.force / result->pull_off.force - 1.0);
-    const double excess = fabs(again.pull_off.force - result->pull_off.force) /
-                          (again.pull_off.force_error + result->pull_off.force_error);
-    moved->change = fmax(moved->change, change); /* the first is NaN */
-    moved->excess = fmax(moved->excess, excess);
-    const double folds = change_of_folds(result, &again);
-    if (!(folds <= moved->folds)) /* NaN stays */
-      moved->folds = isnan(moved->folds) ? moved->folds : folds;
-  }
-  po_result_clear(&again);
-  const bool ends = status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME;
-  return ends ? status : PO_OK;
-}
-
-po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result) {
-  po_diagnostics *d = &result->diagnostics;
-  po_request moving = *request;
-  moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the other results may change the steps */
-  const bool wavy = po_scene_is_wavy(&request->scene);
-  const struct {
-    double *value, by;
-  } inputs[] = {{&moving.scene.tabor, d->force.tabor},
-                {&moving.scene.radius, d->force.radius},
-                {&moving.scene.amplitude, d->force.amplitude},
-                {&moving.scene.wavelength, d->force.wavelength}};
-  const double begin = po_clock_wall();
-  double most = 0.0;
-  po_status status = PO_OK;
-  for (size_t k = 0; k < (wavy ? 4 : 2); ++k) {
-    const double is = *inputs[k].value;
-    for (int up = 0; !status && up < 2 && is > 0.0; ++up) {
-      *inputs[k].value = nextafter(is, up ? INFINITY : 0.0);
-      most = fmax(most, fabs(inputs[k].by * (*inputs[k].value / is - 1.0)));
-      if (isfinite(deadline))
-        moving.time_limit = deadline - po_clock_thread();
-      status = moving.time_limit <= 0.0 ? PO_OUT_OF_TIME : move(&moving, result, &d->moved);
-      if (status == PO_OUT_OF_TIME)
-        status =
-            po_diagnose_out_of_time(request, "the solves with changed inputs are not complete");
-    }
-    *inputs[k].value = is;
-  }
-  if (d->has_sensitivity)
-    d->moved.predicted = most + fabs(d->force.residual) + d->force.rounding;
-  d->seconds += po_clock_wall() - begin;
-  return status;
-}
 
 /* The preload of the loops of the JKR theory: the approach of the request, otherwise the load at
  * which the solve reversed the loading. */
@@ -205,14 +139,12 @@ static po_status request_size_check(const po_request *request) {
                  LEAST_PART * (double)size.nodes, 1e-9 * least, 1e-9 * memory);
 }
 
-static po_status attempt(const po_request *request, po_kept_points *kept, double deadline,
-                         po_result *result) {
+static po_status attempt(const po_request *request, po_kept_points *kept, po_result *result) {
   po_status status = po_request_check(request);
   if (!status)
     status = request_size_check(request);
   if (status)
     return status;
-  const bool rigid = po_rigid_suffices(&request->scene);
   po_attempt a = {.core = po_observe_core(request),
                   .tolerance = request->mesh.tolerance,
                   .begin = farthest_of(request)};
@@ -221,9 +153,9 @@ static po_status attempt(const po_request *request, po_kept_points *kept, double
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     po_result_clear(result);
-    status = po_trace(request, rigid, &a, deadline, kept, result);
+    status = po_trace(request, &a, kept, result);
     add_work(&result->work, &work);
-    double excess = status || rigid ? 0.0 : excess_error(request, result);
+    double excess = status || result->rigid ? 0.0 : excess_error(request, result);
     if (!status && a.unmet_folds > 0)
       excess = fmax(excess, UNKNOWN_EXCESS);
     if (status == PO_OUT_OF_DOMAIN) {
@@ -244,7 +176,7 @@ static po_status attempt(const po_request *request, po_kept_points *kept, double
         "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
         "equilibrium was found there on a finer mesh",
         result->pull_off.force * po_scene_load_unit(&request->scene), result->pull_off.approach);
-  if (!status && !rigid && excess_error(request, result) > MOST_EXCESS)
+  if (!status && !result->rigid && excess_error(request, result) > MOST_EXCESS)
     return po_fail(PO_NOT_CONVERGED,
                    "the error of the pull-off force %.6g is estimated at %.2g, far above the "
                    "tolerance, also on finer panels",
@@ -259,14 +191,14 @@ double po_observe_deadline(const po_request *request) {
 
 /* Traces the branch of a scene, repeatedly if its errors exceed the tolerance. Given: kept, NULL:
  * no points are kept. Returned: the result, except its status and reason. */
-static po_status trace_attempts(const po_request *request, po_kept_points *kept, double deadline,
+static po_status trace_attempts(const po_request *request, po_kept_points *kept,
                                 po_result *result) {
   *result = po_result_none();
   const double begin = po_clock_wall();
   po_message_clear();
   po_status status = po_linear_reserve(1);
   if (!status)
-    status = attempt(request, kept, deadline, result);
+    status = attempt(request, kept, result);
   result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
   return status;
 }
@@ -281,22 +213,20 @@ static po_status finish(po_status status, po_result *result) {
 }
 
 po_status po_observe_kept(const po_request *request, po_kept_points *kept, po_result *result) {
-  const double deadline = po_observe_deadline(request);
-  const po_watch before = po_watch_begin(request->stop, deadline);
-  const po_status status = trace_attempts(request, kept, deadline, result);
+  const po_watch before = po_watch_begin(request->stop, po_observe_deadline(request));
+  const po_status status = trace_attempts(request, kept, result);
   po_watch_end(before);
   return finish(status, result);
 }
 
 po_status po_observe(const po_request *asked, po_result *result) {
   const po_request request = po_load_unit_request(asked);
-  const double deadline = po_observe_deadline(&request);
-  const po_watch before = po_watch_begin(request.stop, deadline);
-  po_status status = trace_attempts(&request, NULL, deadline, result);
+  const po_watch before = po_watch_begin(request.stop, po_observe_deadline(&request));
+  po_status status = trace_attempts(&request, NULL, result);
   if (!status && (request.want & PO_WANT_DIAGNOSTICS))
-    status = po_diagnose_moved(&request, deadline, result);
+    status = po_diagnose_moved(&request, result);
   if (!status && result->has_pull_off)
-    status = po_uncertainty_solve(&request, deadline, result);
+    status = po_uncertainty_solve(&request, result);
   if (!status)
     status = accompany(&request, result);
   po_watch_end(before);

@@ -35,13 +35,12 @@ typedef struct {
   size_t unmet_folds; /* returned: number of folds not found on a finer mesh */
 } po_attempt;
 
-/* Traces the branch of a request once (po_trace.c). Given: rigid, whether the scene is solved
- * without elasticity; the settings; deadline, the processor time at which the function gives up;
- * kept, NULL: no points are kept. Returned: result; the points that are kept, in place of those of
- * an earlier trace; a->begin is changed if unloading leads to a smaller approach than the trace
- * began with. Status: that of the trace; PO_NOT_FOUND if there is no pull-off. */
-po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
-                   po_kept_points *kept, po_result *result);
+/* Traces the branch of a request once (po_trace.c). Given: the settings; kept, NULL: no points
+ * are kept. Returned: result; the points that are kept, in place of those of an earlier trace;
+ * a->begin is changed if unloading leads to a smaller approach than the trace began with. Status:
+ * that of the trace; PO_NOT_FOUND if there is no pull-off. */
+po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kept,
+                   po_result *result);
 
 /* The processor time (po_clock_thread) at which the solve of a request gives up; INFINITY: no
  * limit. */
@@ -53,15 +52,15 @@ double po_observe_deadline(const po_request *request);
 po_status po_observe_kept(const po_request *request, po_kept_points *kept, po_result *result);
 
 /* Solves the scene again with each uncertain input, and with the profile changed by its noise, both
- * ways (doc/method.md, "Uncertain inputs"). Given: a request with a pull-off in its result;
- * deadline. Returned: the uncertainties of the result. A solve that fails is not a failure. Status:
- * as po_diagnose_moved. */
-po_status po_uncertainty_solve(const po_request *request, double deadline, po_result *result);
+ * ways (doc/method.md, "Uncertain inputs"). Given: a request with a pull-off in its result.
+ * Returned: the uncertainties of the result. A solve that fails is not a failure. Status: as
+ * po_diagnose_moved. */
+po_status po_uncertainty_solve(const po_request *request, po_result *result);
 
 /* Solves the scene again with each parameter changed by one unit in the last place. Given: a
- * request that succeeded, and its result; deadline, the processor time at which the function gives
- * up. Status: PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME. */
-po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result);
+ * request that succeeded, and its result. Status: PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME,
+ * also by the watch (po_watch.h). */
+po_status po_diagnose_moved(const po_request *request, po_result *result);
 
 /* The allowed errors of the panels, and the precision of Newton's method, for a relative tolerance
  * of the pull-off force. */

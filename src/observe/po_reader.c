@@ -108,10 +108,9 @@ static po_status keep_point(po_kept_points *kept, const po_branch_point *p, doub
   return status;
 }
 
-po_reader po_reader_begin(const po_request *request, po_result *result, double deadline) {
+po_reader po_reader_begin(const po_request *request, po_result *result) {
   return (po_reader){.request = request,
                      .result = result,
-                     .deadline = deadline,
                      .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
                      .special = {.greatest = {.traced_approach_error = NAN,
                                               .traced_load_error = NAN,

@@ -55,13 +55,12 @@ typedef struct {
   po_trace_points points;
   po_special_list special;
   size_t most_nodes; /* largest number of nodes so far */
-  double deadline;   /* processor time (po_clock_thread); INFINITY: none */
   po_status status;
 } po_reader;
 
 /* Initialises a reader for a trace; and frees its memory, after storing the energy balance in the
  * result and giving it the curve, of which it has none before. */
-po_reader po_reader_begin(const po_request *request, po_result *result, double deadline);
+po_reader po_reader_begin(const po_request *request, po_result *result);
 void po_reader_end(po_reader *reader);
 
 /* What a stop means for the trace: the end of a search of limited effort, otherwise a failure.

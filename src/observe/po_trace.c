@@ -6,6 +6,7 @@
 #include "po_initial_gap.h"
 #include "po_observe_parts.h"
 #include "po_reader.h"
+#include "po_rigid.h"
 #include "po_rigid_trace.h"
 #include "po_watch.h"
 
@@ -92,7 +93,7 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
     status = trace_back(continuation, reader);
   po_continuation_destroy(continuation);
   if (reader->diagnoses && !status)
-    status = po_diagnose_states(request, reader->deadline, &reader->kept, e, reader->result);
+    status = po_diagnose_states(request, &reader->kept, e, reader->result);
   po_equilibrium_destroy(e);
   return status;
 }
@@ -172,10 +173,11 @@ static po_status end_search(po_status status, po_reader *reader) {
   return PO_OK;
 }
 
-po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
-                   po_kept_points *kept, po_result *result) {
+po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kept,
+                   po_result *result) {
+  const bool rigid = po_rigid_suffices(&request->scene);
   po_surface *surface = NULL;
-  po_reader reader = po_reader_begin(request, result, deadline);
+  po_reader reader = po_reader_begin(request, result);
   reader.kept_points = kept;
   if (kept) {
     const bool minima = kept->minima;

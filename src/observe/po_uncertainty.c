@@ -1,7 +1,7 @@
-/* The uncertainty of the pull-off force by that of the inputs, to first order. */
+/* Solves with changed inputs: by a unit in the last place, for the diagnostics; and by their
+ * uncertainty, for that of the pull-off force to first order. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "po_diagnose.h"
 #include "po_load_unit.h"
@@ -9,6 +9,79 @@
 #include "po_observe_parts.h"
 #include "po_profile_table.h"
 #include "po_watch.h"
+
+/* Solves a request with a changed input, as long as the watch of the solve permits. Given: what is
+ * missing if it does not. Returned: again, to be cleared. Status: PO_OK also if the solve fails;
+ * PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME. */
+static po_status solve_again(const po_request *request, const po_request *moved,
+                             const char *missing, po_result *again) {
+  const po_status status = po_observe_kept(moved, NULL, again);
+  if (status == PO_OUT_OF_TIME)
+    return po_diagnose_out_of_time(request, missing);
+  return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
+}
+
+/* The largest change of the approach of a fold; NaN if the number of folds differs. */
+static double change_of_folds(const po_result *a, const po_result *b) {
+  double largest = 0.0;
+  for (size_t k = 0; k < a->fold_count && a->fold_count == b->fold_count; ++k)
+    largest = fmax(largest, fabs(a->folds[k].approach - b->folds[k].approach));
+  return a->fold_count == b->fold_count ? largest : (double)NAN;
+}
+
+/* Solves with a parameter moved. */
+static po_status move(const po_request *request, const po_request *moving, const po_result *result,
+                      po_moved *moved) {
+  po_result again;
+  const po_status status =
+      solve_again(request, moving, "the solves with changed inputs are not complete", &again);
+  ++moved->solves;
+  if (again.status || !again.has_pull_off) {
+    ++moved->failed;
+  } else {
+    const double change = fabs(again.pull_off.force / result->pull_off.force - 1.0);
+    const double excess = fabs(again.pull_off.force - result->pull_off.force) /
+                          (again.pull_off.force_error + result->pull_off.force_error);
+    moved->change = fmax(moved->change, change); /* the first is NaN */
+    moved->excess = fmax(moved->excess, excess);
+    const double folds = change_of_folds(result, &again);
+    if (!(folds <= moved->folds)) /* NaN stays */
+      moved->folds = isnan(moved->folds) ? moved->folds : folds;
+  }
+  po_result_clear(&again);
+  return status;
+}
+
+po_status po_diagnose_moved(const po_request *request, po_result *result) {
+  po_diagnostics *d = &result->diagnostics;
+  po_request moving = *request;
+  moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the other results may change the steps */
+  const bool wavy = po_scene_is_wavy(&request->scene);
+  const struct {
+    double *value, by;
+  } inputs[] = {{&moving.scene.tabor, d->force.tabor},
+                {&moving.scene.radius, d->force.radius},
+                {&moving.scene.amplitude, d->force.amplitude},
+                {&moving.scene.wavelength, d->force.wavelength}};
+  const double begin = po_clock_wall();
+  double most = 0.0;
+  po_status status = PO_OK;
+  for (size_t k = 0; k < (wavy ? 4 : 2); ++k) {
+    const double is = *inputs[k].value;
+    for (int up = 0; !status && up < 2 && is > 0.0; ++up) {
+      *inputs[k].value = nextafter(is, up ? INFINITY : 0.0);
+      most = fmax(most, fabs(inputs[k].by * (*inputs[k].value / is - 1.0)));
+      status = move(request, &moving, result, &d->moved);
+    }
+    *inputs[k].value = is;
+  }
+  if (d->has_sensitivity)
+    d->moved.predicted = most + fabs(d->force.residual) + d->force.rounding;
+  d->seconds += po_clock_wall() - begin;
+  return status;
+}
+
+/* -- Uncertain inputs -- */
 
 /* The force is linear if its changes to both sides, and that of the adjoint, differ from their mean
  * by at most this part of it. With the change a s + b s^2/2 by an input s of deviation 1, at s = 2,
@@ -31,33 +104,23 @@ static double force_of(const po_uncertain *u, double adjoint, double error) {
   return (double)NAN; /* also if a change is */
 }
 
-/* What all solves have in common. */
-typedef struct {
-  const po_request *request;
-  double deadline;
-  po_result *result;
-} work;
-
 /* Solves with an input moved. Returned: the change of the force, unchanged if the solve failed. */
-static po_status solve(const work *w, const po_request *moved, double unit, double *change) {
+static po_status solve(const po_request *request, const po_request *moved, double unit,
+                       const po_result *o, double *change) {
   po_request r = *moved;
   po_result again;
   r.want = 0;
   r.search = PO_SEARCH_NONE;
-  r.stop = w->request->stop;
+  r.stop = request->stop;
   r.watch = NULL;
   r.show = NULL;
-  r.time_limit = isfinite(w->deadline) ? w->deadline - po_clock_thread() : (double)NAN;
-  po_status status = PO_OUT_OF_TIME;
-  if (!(r.time_limit <= 0.0)) {
-    status = po_observe_kept(&r, NULL, &again);
-    if (!status && again.has_pull_off)
-      *change = again.pull_off.force * unit - w->result->pull_off.force;
-    po_result_clear(&again);
-  }
-  if (status == PO_OUT_OF_TIME)
-    return po_diagnose_out_of_time(w->request, "the solves with uncertain inputs are not complete");
-  return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
+  r.time_limit = NAN;
+  const po_status status =
+      solve_again(request, &r, "the solves with uncertain inputs are not complete", &again);
+  if (!again.status && again.has_pull_off)
+    *change = again.pull_off.force * unit - o->pull_off.force;
+  po_result_clear(&again);
+  return status;
 }
 
 /* The next source of the result. */
@@ -68,41 +131,34 @@ static po_uncertain *begin(po_result *o, const char *source, double value, doubl
   return u;
 }
 
-static po_status vary_input(const work *w, const po_variation *v) {
-  po_result *o = w->result;
-  const double solved = po_scene_load_unit(&w->request->scene);
+static po_status vary_input(const po_request *request, const po_variation *v, po_result *o) {
+  const double solved = po_scene_load_unit(&request->scene);
   po_uncertain *u = begin(o, v->source, v->value, v->deviation);
-  double change[2] = {NAN, NAN};
   po_status status = PO_OK;
   for (int k = 0; k < 2 && !status; ++k) {
     const po_request moved = po_load_unit_request(v->moved[k]);
-    status = solve(w, &moved, v->unit[k] * po_scene_load_unit(&moved.scene) / solved, &change[k]);
+    const double unit = v->unit[k] * po_scene_load_unit(&moved.scene) / solved;
+    status = solve(request, &moved, unit, o, k ? &u->above : &u->below);
   }
-  u->below = change[0];
-  u->above = change[1];
   u->force = force_of(u, (double)NAN, o->pull_off.force_error);
   return status;
 }
 
 /* The profile is changed as it most probably is where the force is off by its deviation. */
-static po_status vary_profile(const work *w) {
-  po_result *o = w->result;
-  const po_profile_table *table = w->request->scene.profile.table;
+static po_status vary_profile(const po_request *request, po_result *o) {
+  const po_profile_table *table = request->scene.profile.table;
   po_uncertain *u = begin(o, "noise", (double)NAN, table->smoothing.deviation / table->scale);
-  double change[2] = {NAN, NAN};
   po_status status = PO_OK;
-  for (int k = 0; k < 2 && !status; ++k) {
+  for (int k = 0; k < 2 && !status; ++k) { /* where the load falls, the force grows */
     po_profile_table *displaced;
-    po_request moved = *w->request;
+    po_request moved = *request;
     status = po_profile_table_displace(table, o->noise.change,
                                        k ? -PO_VARIATION_REACH : PO_VARIATION_REACH, &displaced);
     moved.scene.profile.table = displaced;
     if (!status)
-      status = solve(w, &moved, 1.0, &change[k]); /* the load falls, the force grows */
+      status = solve(request, &moved, 1.0, o, k ? &u->above : &u->below);
     po_profile_table_free(displaced);
   }
-  u->below = change[0];
-  u->above = change[1];
   u->force = force_of(u, o->noise.deviation, o->pull_off.force_error);
   return status;
 }
@@ -123,17 +179,16 @@ static void add_squares(po_result *o) {
   o->uncertainty = sqrt(squares);
 }
 
-po_status po_uncertainty_solve(const po_request *request, double deadline, po_result *o) {
-  const work w = {request, deadline, o};
+po_status po_uncertainty_solve(const po_request *request, po_result *o) {
   const size_t count = request->variations + (o->noise.change != NULL);
   if (count == 0)
     return PO_OK;
   o->uncertain = po_allocate(count, sizeof *o->uncertain);
   po_status status = o->uncertain ? PO_OK : PO_NO_MEMORY;
   for (size_t k = 0; k < request->variations && !status; ++k)
-    status = vary_input(&w, &request->variation[k]);
+    status = vary_input(request, &request->variation[k], o);
   if (o->noise.change && !status)
-    status = vary_profile(&w);
+    status = vary_profile(request, o);
   add_squares(o);
   if (!status)
     po_message_clear();
