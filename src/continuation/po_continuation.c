@@ -97,7 +97,7 @@ static void reweigh(po_continuation *t) {
   const size_t edges = t->current.edges.count;
   const double share = edges > 0 ? arclength_share(e, t->current.edges.at[edges - 1]) : 1.0;
   const double factor = share / e->share;
-  if (!po_continuation_moves(t) || (factor < OTHER_WEIGHTS && factor > 1.0 / OTHER_WEIGHTS))
+  if (!on_panels(t) || (factor < OTHER_WEIGHTS && factor > 1.0 / OTHER_WEIGHTS))
     return;
   e->share = share;
   e->factorized = false; /* their border has the weights before */
@@ -136,7 +136,7 @@ static po_status mesh_undeformed(po_continuation *t, double approach) {
  * undeformed gap. Only such a mesh shows the feedback of a law of short range at a sharp tip. */
 static po_status mesh_start(po_continuation *t, double begin, double *approach) {
   *approach = fmin(continuation_start(t->c.e), begin);
-  while (po_continuation_moves(t)) {
+  while (on_panels(t)) {
     const po_status status = mesh_undeformed(t, *approach);
     const double seen = continuation_start(t->c.e);
     if (status || !(seen < *approach))

@@ -26,38 +26,22 @@ struct po_continuation {
   size_t points;
 };
 
+/* Whether the mesh is of panels, which move with the contact. */
+static inline bool on_panels(const po_continuation *t) {
+  return po_surface_panels(t->c.e->surface);
+}
+
 /* Precision of the tangent at a step. The tangent is used to predict the next point and to detect
  * special points. */
 extern const double PO_STEP_TANGENT;
-
-/* Whether the mesh consists of panels that follow the contact edges. */
-bool po_continuation_moves(const po_continuation *t);
-
-/* Solves for the equilibrium at a distance along the arclength functional from the current point,
- * on a mesh that resolves it. Given: the prediction; `keep`, whether the current mesh and factors
- * may be used; precision of the tangent. Returned: out; error, that of the prediction, relative
- * to 1 + H, unless NULL. Status: PO_NOT_CONVERGED, also if no mesh resolves the solution;
- * PO_OUT_OF_NODES. */
-po_status po_continuation_solve(po_continuation *t, po_prediction *p, double distance, bool keep,
-                                double precision, po_solution *out, double *error);
-
-/* The same from the guess of the corrector; repeated on a new mesh while the solution is not
- * resolved. Given: keep, whether the present factors are tried first. */
-po_status po_continuation_solve_guessed(po_continuation *t, double distance, bool keep,
-                                        double precision, po_solution *out);
-
-/* Solves the current point again on the present mesh, if its arclength functional differs there
- * from that on its own mesh by more than a step: no shorter step would converge then. The next step
- * is predicted from this solution alone. Returned: whether that was done. */
-bool po_continuation_settle(po_continuation *t, double step);
-
-/* Precision of the tangents in a step of this length. */
-double po_continuation_tangent_precision(const po_continuation *t, double step);
 
 /* One step, from t->current to t->next, with as many attempts as necessary, and its events. Status:
  * PO_STEP_TOO_SMALL; PO_OUT_OF_NODES. */
 po_status po_continuation_advance(po_continuation *t);
 
+/* A point of the branch as the visitor sees it; and its visit. */
+po_branch_point po_continuation_seen(const po_continuation *t, const po_solution *p,
+                                     po_point_kind kind);
 void po_continuation_visit(po_continuation *t, const po_solution *p, po_point_kind kind);
 
 /* Visits the events between t->current and t->next, then t->next. */

@@ -1,12 +1,10 @@
+#include <limits.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "po_continuation_parts.h"
 #include "po_elementary.h"
 #include "po_hermite.h"
 #include "po_join.h"
-#include "po_refine.h"
 
 /* Error of the prediction, relative to 1 + H, that a step aims at, and the greatest that is
  * accepted. With a limit of 0.14 a step passed over the two folds of mu = 4 that are within 1e-4 of
@@ -39,6 +37,124 @@ static const double JOIN_MARGIN = 0.85;
  * computed: the rounding of the energies may exceed it. */
 static const double STRAIGHT = 40.0;
 
+/* -- One point -- */
+
+static bool too_large(void *prediction, po_panel panel) {
+  return po_prediction_too_large(prediction, panel, 1.0);
+}
+
+static bool mesh_serves(const po_continuation *t, po_prediction *p) {
+  const po_panels *panels = po_surface_panels(t->c.e->surface);
+  for (size_t k = 0; k < panels->count; ++k)
+    if (po_prediction_too_large(p, panels->panel[k], 2.0))
+      return false;
+  return true;
+}
+
+/* Sets the guess to the prediction, on the current mesh. */
+static void guess(po_continuation *t, po_prediction *p) {
+  po_prediction_state(p, t->c.e->surface, po_corrector_moving_nodes(&t->c), t->c.guess);
+}
+
+/* Whether panels that move with the coordinates follow all contact edges. */
+static bool all_move(const po_continuation *t, const po_prediction *p) {
+  return p->edges.count == t->current.edges.all;
+}
+
+/* Makes a mesh for the prediction the current one, and sets the guess on it. The current mesh is
+ * kept if it is fixed, or if it may be kept and is fine enough; if it does not resolve the
+ * solution, the point is solved again on another. */
+static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_mesh) {
+  if (!on_panels(t) || (may_keep_mesh && mesh_serves(t, p))) {
+    guess(t, p);
+    return PO_OK;
+  }
+  po_panels *const panels = t->c.e->surface->draft;
+  po_panels_uniform(panels, 1);
+  if (!po_panels_refine(panels, INT_MAX, too_large, p))
+    return t->c.trouble = po_resolution_fail(panels);
+  po_status status = PO_OK;
+  if (!all_move(t, p))
+    status = po_corrector_adapt(&t->c, &(po_gap_field){po_prediction_gap, p}, panels);
+  if (!status)
+    status = po_corrector_mesh(&t->c, panels);
+  if (!status)
+    guess(t, p);
+  return status;
+}
+
+/* Solves for the equilibrium at a distance along the arclength functional from the current point,
+ * from the guess of the corrector; repeated on a new mesh while the solution is not resolved.
+ * Given: keep, whether the present factors are tried first; precision of the tangent. Status:
+ * PO_NOT_CONVERGED, also if no mesh resolves the solution; PO_OUT_OF_NODES. */
+static po_status solve_guessed(po_continuation *t, double distance, bool keep, double precision,
+                               po_solution *out) {
+  po_status status = PO_OK;
+  for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT && !status; ++mesh) {
+    status = po_corrector_solve(&t->c, &t->current, distance, keep, precision, out);
+    if (status || po_corrector_is_resolved(&t->c, out))
+      return status;
+    status = po_corrector_follow_solved(&t->c, out, &t->spare);
+  }
+  return status ? status : PO_NOT_CONVERGED;
+}
+
+/* The same from the prediction. Given: keep, whether the current mesh and factors may be used.
+ * Returned: error, that of the prediction, relative to 1 + H, unless NULL. */
+static po_status solve_predicted(po_continuation *t, po_prediction *p, double distance, bool keep,
+                                 double precision, po_solution *out, double *error) {
+  po_status status = mesh_for(t, p, keep);
+  if (status)
+    return status;
+  const size_t meshes = t->c.e->work.meshes;
+  status = solve_guessed(t, distance, keep, precision, out);
+  const bool same_nodes = t->c.e->work.meshes == meshes;
+  if (!status && error)
+    *error = po_prediction_error(p, same_nodes ? t->c.guess : NULL, out);
+  return status;
+}
+
+/* Error of the tangent with which the next step, if as long, predicts the place of a contact edge:
+ * relative to the width of the edge, 1/coupling. With 1e-3 the smooth spheres of mu = 4000 and of
+ * the law (4, 10) at 3000 are refused; up to mu = 300 the work is the same. */
+static const double EDGE_ERROR = 1e-5;
+
+/* The precision of the tangent in coordinates that scale with the contact: the rate of the approach
+ * is then right to 1e-5 at a Tabor parameter of 10,000. */
+static const double SCALED_TANGENT = 1e-9;
+
+/* Precision of the tangents in a step of this length. */
+static double tangent_precision(const po_continuation *t, double step) {
+  if (po_equilibrium_is_narrow(t->c.e))
+    return SCALED_TANGENT;
+  double way = 0.0; /* of the contact edges in the step, in their widths */
+  for (size_t k = 0; k < t->current.edges.count; ++k)
+    way = fmax(way, step * fabs(t->current.edges.rate[k]) * t->c.e->coupling);
+  return fmin(PO_STEP_TANGENT, EDGE_ERROR / way);
+}
+
+/* Solves the current point again on the present mesh, if its arclength functional differs there
+ * from that on its own mesh by more than a step: no shorter step would converge then. The next step
+ * is predicted from this solution alone. Returned: whether that was done. */
+static bool settle(po_continuation *t, double step) {
+  if (!on_panels(t) || !(step > 0.0))
+    return false;
+  po_corrector_guess(&t->c, &t->current);
+  const double place = po_corrector_place_of_guess(&t->c, &t->current);
+  if (!(fabs(place) > step) ||
+      po_corrector_solve(&t->c, &t->current, place, false, tangent_precision(t, step), &t->next))
+    return false;
+  t->next.position = t->current.position;
+  if (po_corrector_want_mesh(&t->c, &t->next))
+    return false;
+  po_solution_exchange(&t->current, &t->next);
+  t->has_previous = false;
+  t->error_factor = NAN;
+  return true;
+}
+
+/* -- One step -- */
+
 /* One attempt at a step. */
 typedef struct {
   double step; /* length of the attempt, at most the one given */
@@ -61,7 +177,7 @@ static double next_step(po_continuation *t, const po_prediction *p, double step,
     return step * fmin(ratio, GREATEST_GROWTH);
   const double before = fabs(po_solution_progress(&t->current, &t->previous));
   const double way = step * (step + before);
-  t->error_factor = po_continuation_moves(t) ? error / (way * way) : (double)NAN;
+  t->error_factor = on_panels(t) ? error / (way * way) : (double)NAN;
   const double growth = isnan(known) ? 1.0 : t->error_factor / known;
   const double product = ratio * way / sqrt(fmax(1.0, fmin(growth, GREATEST_INCREASE)));
   const double longer = 0.5 * (sqrt(step * step + 4.0 * product) - step);
@@ -113,17 +229,16 @@ static bool serves_inner_mesh(const po_continuation *t, double at) {
 static po_status solve_inner(void *data, double at, bool roughly, po_sample *sample) {
   po_continuation *t = data;
   const double whole = po_solution_progress(&t->current, &t->next);
-  const double precision = roughly && po_continuation_moves(t)
-                               ? po_continuation_tangent_precision(t, whole)
-                               : t->c.e->precision;
+  const double precision =
+      roughly && on_panels(t) ? tangent_precision(t, whole) : t->c.e->precision;
   po_status status;
   if (fabs(at - t->inner_at) < ON_TANGENT * whole && serves_inner_mesh(t, at)) {
     guess_on_tangent(t, at);
-    status = po_continuation_solve_guessed(t, at, true, precision, &t->inner);
+    status = solve_guessed(t, at, true, precision, &t->inner);
   } else {
     po_prediction p;
     po_prediction_make(t->c.e, &t->current, &t->next, at, &p);
-    status = po_continuation_solve(t, &p, at, true, precision, &t->inner, NULL);
+    status = solve_predicted(t, &p, at, true, precision, &t->inner, NULL);
   }
   t->inner_at = status ? (double)NAN : at;
   if (status)
@@ -152,143 +267,12 @@ static po_status find_events(po_continuation *t) {
   return po_events_find(&interval, &from, &to, &t->events);
 }
 
-static po_branch_point seen(const po_continuation *t, const po_solution *p, po_point_kind kind) {
-  const double length = po_solution_length(p);
-  return (po_branch_point){.kind = kind,
-                           .position = p->position,
-                           .approach = po_solution_approach(p),
-                           .load = p->load,
-                           .energy = p->energy,
-                           .approach_error = NAN,
-                           .load_error = NAN,
-                           .approach_rate = p->tangent[p->n] / length,
-                           .load_rate = p->load_rate / length,
-                           .unstable_modes = t->unstable_modes,
-                           .n = p->core,
-                           .node = p->node,
-                           .gap = p->state,
-                           .solution = p->panels->count ? p : NULL};
-}
-
-void po_continuation_visit(po_continuation *t, const po_solution *p, po_point_kind kind) {
-  const po_branch_point point = seen(t, p, kind);
-  if (t->options.visit(&point, t->options.data))
-    t->ended = true;
-}
-
-/* Whether the errors of a special point are estimated: on panels, for folds if the options require
- * it, and for a minimum of the load that is the deepest so far. */
-static bool is_judged(const po_continuation *t, const po_branch_point *point) {
-  if (!po_continuation_moves(t))
-    return false;
-  if (point->kind == PO_POINT_APPROACH_MAX || point->kind == PO_POINT_APPROACH_MIN)
-    return !t->options.minima_only;
-  return point->kind == PO_POINT_LOAD_MIN && point->load <= t->deepest;
-}
-
-/* The slope of po_refinement at an event. Given: cosine of the angle between the direction at the
- * event and the direction of the functional by which its samples are parametrised. */
-/* By differences on the cubic of the interval. */
-static double refine_slope(const po_event *ev, double cosine) {
-  const po_sample *a = &ev->low, *b = &ev->high;
-  const double h = b->at - a->at, x = ev->root - a->at, by = 0.01 * h;
-  double rate[2];
-  for (int k = 0; k < 2; ++k)
-    rate[k] = po_hermite_rate(a->value[ev->of], a->rate[ev->of], b->value[ev->of], b->rate[ev->of],
-                              x + (k ? by : -by), h);
-  return (rate[1] - rate[0]) / (2.0 * by) * cosine * cosine;
-}
-
-/* Estimates the errors of a special point on finer meshes. They consist of the errors of the mesh,
- * of Newton's method, and of the place of the special point. */
-static void judge(po_continuation *t, const po_event *ev, po_branch_point *point) {
-  const double cosine = po_solution_cosine(&t->current, point->solution);
-  const double enough =
-      point->kind == PO_POINT_LOAD_MIN ? t->options.sharpness * fabs(point->load) : INFINITY;
-  const po_refinement how = {ev->of, refine_slope(ev, cosine), enough, {&t->spare, &t->inner}};
-  po_refined r = {.point = point->solution, .value = {point->approach, point->load}};
-  const po_status status = po_refine(&t->c, &how, &r);
-  if (!status) {
-    point->approach_correction = r.value[0] - point->approach;
-    point->load_correction = r.value[1] - point->load;
-    const double beyond =
-        ev->left > PO_LOCATED ? ev->left * po_solution_length(point->solution) : 0.0;
-    point->approach_error = r.error[0] + beyond * fabs(point->approach_rate);
-    point->load_error = r.error[1] + beyond * fabs(point->load_rate);
-    point->best = r.point;
-    point->finer = r.finer;
-  }
-  point->unmet = status == PO_NOT_CONVERGED && !t->c.trouble;
-  t->c.trouble = PO_OK; /* the trace continues if the mesh of the estimate has too many panels */
-}
-
-/* The kind of the point of an event. */
-static po_point_kind event_point(const po_event *ev) {
-  if (ev->of > PO_OF_LOAD)
-    return PO_POINT_STATION;
-  const bool rising = ev->low.rate[ev->of] > 0.0;
-  if (ev->of == PO_OF_APPROACH)
-    return rising ? PO_POINT_APPROACH_MAX : PO_POINT_APPROACH_MIN;
-  return rising ? PO_POINT_LOAD_MAX : PO_POINT_LOAD_MIN;
-}
-
-static void visit_special_point(po_continuation *t, const po_event *ev) {
-  po_branch_point point = seen(t, &t->at_event[ev->place], event_point(ev));
-  if (is_judged(t, &point))
-    judge(t, ev, &point);
-  if (point.kind == PO_POINT_LOAD_MIN)
-    t->deepest = fmin(t->deepest, point.load);
-  if (t->options.visit(&point, t->options.data))
-    t->ended = true;
-}
-
-/* Whether an event is beyond the end of the forward trace. The last step of the forward trace and
- * the first of the reverse trace pass it. */
-static bool is_beyond(po_continuation *t, const po_event *ev) {
-  const bool beyond = t->back ? t->beyond > 0 : t->ended;
-  if (beyond && ev->of <= PO_OF_LOAD)
-    t->beyond += t->back ? -1 : 1;
-  return beyond;
-}
-
-/* The change of the number of unstable modes at given approach when the trace passes a point.
- * Given: the kind of the point, and the rate of the load along the branch at it. Returned: 1, -1 or
- * 0. Source: doc/method.md, "Stability". Accuracy: compared with the motion of perturbed equilibria
- * in tests/unit/test_relaxation.c. */
-/* The mode that changes is stable on that side of a fold on which d(load)/d(approach) goes to minus
- * infinity: there the second derivative of the potential along the mode goes to zero from above. */
-static int change_of_modes(po_point_kind kind, double load_rate) {
-  if (kind == PO_POINT_APPROACH_MAX)
-    return load_rate < 0.0 ? 1 : -1;
-  if (kind == PO_POINT_APPROACH_MIN)
-    return load_rate > 0.0 ? 1 : -1;
-  return 0;
-}
-
-void po_continuation_visit_step(po_continuation *t) {
-  for (size_t k = 0; k < t->events.count; ++k) {
-    const po_event *ev = &t->events.list[k];
-    const po_solution *p = &t->at_event[ev->place];
-    const po_point_kind kind = event_point(ev);
-    t->unstable_modes += change_of_modes(kind, p->load_rate);
-    if (is_beyond(t, ev))
-      continue;
-    if (ev->of <= PO_OF_LOAD)
-      visit_special_point(t, ev);
-    else
-      po_continuation_visit(t, p, kind);
-    t->ended = t->ended || ev->of == PO_AT_END;
-  }
-  if (!t->ended)
-    po_continuation_visit(t, &t->next, PO_POINT_STEP);
-}
-
 /* The factor by which the present step could be longer with the interpolation of the curve still as
  * accurate as required; below 1 the step is too long. */
 static double joined_for(const po_continuation *t) {
   const po_continuation_options *o = &t->options;
-  const po_branch_point from = seen(t, &t->current, PO_POINT_STEP);
-  const po_branch_point to = seen(t, &t->next, PO_POINT_STEP);
+  const po_branch_point from = po_continuation_seen(t, &t->current, PO_POINT_STEP);
+  const po_branch_point to = po_continuation_seen(t, &t->next, PO_POINT_STEP);
   const double sagitta = po_join_sagitta(&from, &to);
   const double by_sagitta = sqrt(o->largest_sagitta / sagitta);
   if (!(sagitta > STRAIGHT * o->largest_miss))
@@ -310,7 +294,7 @@ static void corrector_aim(po_corrector *c, const po_solution *from) {
  * the step is accepted. */
 static po_status try_step(po_continuation *t, double step, attempt *a) {
   po_prediction p;
-  if (!po_continuation_moves(t))
+  if (!on_panels(t))
     corrector_aim(&t->c, &t->current);
   a->step = po_prediction_reach(t->c.e, &t->current, t->has_previous ? &t->previous : NULL, step,
                                 AIMED_ERROR, &p);
@@ -319,11 +303,10 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
   if (!(a->step > 0.0))
     return PO_NOT_CONVERGED;
   double error;
-  if (po_continuation_moves(t)) /* the factors are new, so that the first change is the error */
+  if (on_panels(t)) /* the factors are new, so that the first change is the error */
     t->c.farthest = FAR_GUESS * greatest_error(t);
-  po_status status =
-      po_continuation_solve(t, &p, a->step, !po_continuation_moves(t),
-                            po_continuation_tangent_precision(t, a->step), &t->next, &error);
+  po_status status = solve_predicted(t, &p, a->step, !on_panels(t), tangent_precision(t, a->step),
+                                     &t->next, &error);
   t->c.farthest = INFINITY;
   if (status)
     return status;
@@ -363,7 +346,7 @@ po_status po_continuation_advance(po_continuation *t) {
     if (t->c.trouble)
       return t->c.trouble;
     if (!a.met && !settled)
-      settled = po_continuation_settle(t, a.step);
+      settled = settle(t, a.step);
     if (!status) {
       /* waves are alike: a length that failed here would fail at the next wave, too */
       if (missed && !po_scene_is_simple(t->c.e->scene))
