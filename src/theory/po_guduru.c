@@ -41,6 +41,10 @@ static wave_terms waves_at(const coefficients *t, double a) {
   return (wave_terms){t->k * a, po_struve_wave(0, a, t->length), po_struve_wave(1, a, t->length)};
 }
 
+static double load_at(const coefficients *t, wave_terms s, double a) {
+  return t->hertz * a * a * a + t->wave * a * (s.x * s.h0 - s.h1) - t->adhesion * a * sqrt(a);
+}
+
 static bool is_inside(const po_scene *scene, double contact_radius) {
   return scene->tabor > 0.0 && scene->radius > 0.0 && contact_radius >= 0.0 &&
          (!po_scene_is_wavy(scene) || scene->wavelength > 0.0);
@@ -52,8 +56,7 @@ po_contact po_guduru_at(const po_scene *scene, double contact_radius) {
   const coefficients t = coefficients_of(scene);
   const double a = contact_radius;
   const wave_terms s = waves_at(&t, a);
-  return (po_contact){.load = t.hertz * a * a * a + t.wave * a * (s.x * s.h0 - s.h1) -
-                              t.adhesion * a * sqrt(a),
+  return (po_contact){.load = load_at(&t, s, a),
                       .approach = a * a / scene->radius + scene->amplitude * M_PI_2 * s.x * s.h0 -
                                   t.adhesion_approach * sqrt(a),
                       .contact_radius = a};
@@ -134,13 +137,17 @@ static const double GROWTH = 1.3, FINEST = 1e-3;
 /* Differences below this fraction of the largest term of the load are rounding. */
 static const double ROUNDING = 8.0 * DBL_EPSILON;
 
-/* The pull-off on the envelope hertz a^3 - depth a^(3/2), at the trough x = 2 pi (m + 7/8) of Y0(x)
- * nearest to its minimum. The neglected part is 1/x^2 of the terms, at most 3e-18. */
-static po_contact envelope_pull_off(const po_scene *scene, const coefficients *t, double depth,
-                                    double lowest) {
+/* The depth of the envelope hertz a^3 - depth a^(3/2). */
+static double depth_of(const coefficients *t) {
+  return t->adhesion + t->wave * sqrt(2.0 * t->k / M_PI);
+}
+
+/* The pull-off on the envelope, at the trough x = 2 pi (m + 7/8) of Y0(x) nearest to its minimum.
+ * The neglected part is 1/x^2 of the terms, at most 3e-18. */
+static po_contact envelope_pull_off(const po_scene *scene, const coefficients *t, double lowest) {
   const double a = t->length * (floor(lowest / t->length) + 0.875);
   const double modulus = sqrt(2.0 / M_PI * t->k * a);
-  return (po_contact){.load = t->hertz * a * a * a - depth * a * sqrt(a),
+  return (po_contact){.load = t->hertz * a * a * a - depth_of(t) * a * sqrt(a),
                       .approach = a * a / scene->radius +
                                   scene->amplitude * (1.0 - M_PI_2 * modulus) -
                                   t->adhesion_approach * sqrt(a),
@@ -171,8 +178,7 @@ static void scan_waves(const po_scene *scene, const coefficients *t, double lowe
 
 /* Returned: the contact radius at which the lower bound without the term WAVE_BOUND is lowest. */
 static double lowest_of(const coefficients *t) {
-  const double depth = t->adhesion + t->wave * sqrt(2.0 * t->k / M_PI);
-  const double root = po_cbrt(0.5 * depth / t->hertz);
+  const double root = po_cbrt(0.5 * depth_of(t) / t->hertz);
   return root * root;
 }
 
@@ -183,7 +189,6 @@ po_contact po_guduru_pull_off(const po_scene *scene) {
   if (!po_scene_is_wavy(scene))
     return po_jkr_pull_off(scene);
   const coefficients t = coefficients_of(scene);
-  const double depth = t.adhesion + t.wave * sqrt(2.0 * t.k / M_PI);
   const double lowest = lowest_of(&t), wave = t.length;
   if (!(isfinite(lowest / wave) && isfinite(t.hertz * lowest * lowest * lowest)))
     return none;
@@ -194,7 +199,7 @@ po_contact po_guduru_pull_off(const po_scene *scene) {
     return none;
   scan(scene, &t, from, wave, (int)points, true, &best);
   if (lowest > MOST_WAVES * wave) {
-    const po_contact far = envelope_pull_off(scene, &t, depth, lowest);
+    const po_contact far = envelope_pull_off(scene, &t, lowest);
     return far.load < best.load ? far : best;
   }
   const double middle = fmax(1.0, floor(lowest / wave));
@@ -203,26 +208,13 @@ po_contact po_guduru_pull_off(const po_scene *scene) {
   return isfinite(best.load) ? best : none;
 }
 
-/* The difference between the load of Eq 5 and a given load. */
-typedef struct {
-  coefficients t;
-  double load;
-} load_difference;
-
-static double difference_at(double a, const void *data) {
-  const load_difference *f = data;
-  const wave_terms s = waves_at(&f->t, a);
-  return f->t.hertz * a * a * a + f->t.wave * a * (s.x * s.h0 - s.h1) -
-         f->t.adhesion * a * sqrt(a) - f->load;
-}
-
 /* Returned: the contact radius in (left, right), where dW/da changes sign at most once, at which
  * the load has a minimum not above the given load; NAN if there is none. */
-static double minimum_within(const load_difference *f, double left, double right) {
-  if (!(rate(left, &f->t) < 0.0 && rate(right, &f->t) >= 0.0))
+static double minimum_within(const coefficients *t, double load, double left, double right) {
+  if (!(rate(left, t) < 0.0 && rate(right, t) >= 0.0))
     return NAN;
-  const double least = po_root(rate, &f->t, left, right);
-  return difference_at(least, f) <= 0.0 ? least : NAN;
+  const double least = po_root(rate, t, left, right);
+  return load_at(t, waves_at(t, least), least) - load <= 0.0 ? least : NAN;
 }
 
 /* Returned: a contact radius beyond which the lower bound, and therefore the load, is above
@@ -248,15 +240,15 @@ static double radius_of_bound(const coefficients *t, double load, double low, do
  * same brackets and therefore the same bits, unless they are many: from MANY_WAVES on. */
 static const double MANY_WAVES = 1e4;
 
-static double skip_excluded(const load_difference *f, double lowest, double step, double right) {
-  const coefficients *t = &f->t;
+static double skip_excluded(const coefficients *t, double load, double lowest, double step,
+                            double right) {
   const double wave = t->length;
   const bool many = right > MANY_WAVES * wave;
   if (many && right > lowest)
-    right = lower_bound(t, lowest) > f->load ? wave : radius_of_bound(t, f->load, lowest, right);
+    right = lower_bound(t, lowest) > load ? wave : radius_of_bound(t, load, lowest, right);
   /* below `lowest` the bound grows inwards, up to the first wave */
   while (right > wave && right < MOST_WAVES * wave &&
-         lower_bound(t, fmin(fmax(right - step, lowest), right)) > f->load)
+         lower_bound(t, fmin(fmax(right - step, lowest), right)) > load)
     right = many && right <= lowest ? wave : right - step;
   return right;
 }
@@ -264,21 +256,21 @@ static double skip_excluded(const load_difference *f, double lowest, double step
 double po_guduru_last_minimum(const po_scene *scene, double load, double excess) {
   if (!is_inside(scene, 0.0) || !(load < 0.0))
     return NAN;
-  load_difference f = {coefficients_of(scene), load};
-  f.t.adhesion *= 1.0 + excess;
-  double right = radius_beyond(&f.t, load);
+  coefficients t = coefficients_of(scene);
+  t.adhesion *= 1.0 + excess;
+  double right = radius_beyond(&t, load);
   if (!isfinite(right))
     return NAN;
   const bool wavy = po_scene_is_wavy(scene);
-  const double step = wavy ? f.t.length / POINTS_PER_WAVE : FINEST * right;
-  const double lowest = lowest_of(&f.t);
+  const double step = wavy ? t.length / POINTS_PER_WAVE : FINEST * right;
+  const double lowest = lowest_of(&t);
   while (right > FINEST * step) {
     if (wavy)
-      right = skip_excluded(&f, lowest, step, right);
-    if (wavy && right > MOST_WAVES * f.t.length)
+      right = skip_excluded(&t, load, lowest, step, right);
+    if (wavy && right > MOST_WAVES * t.length)
       return right;
     const double left = fmax(right - step, 0.5 * right);
-    const double last = minimum_within(&f, left, right);
+    const double last = minimum_within(&t, load, left, right);
     if (last > 0.0)
       return last;
     right = left;
