@@ -144,28 +144,24 @@ static po_status extrapolate(po_corrector *c, const po_solution *from, double at
   return PO_OK;
 }
 
-static po_status locate_from(po_corrector *c, const po_solution *from, double at, po_event_kind of,
-                             double *slope, po_solution *out, double value[2]) {
-  const double given = *slope;
-  const po_status status = find_root(c, from, at, of, slope, out, value);
-  if (status != PO_NOT_CONVERGED || isnan(given))
-    return status;
-  *slope = given;
-  return extrapolate(c, from, at, of, given, out, value);
-}
-
 /* The second search begins where the functional is for the interpolated state of `from`. At a fold
  * beside a groove of a wavy cone that was 1e-3 off, which moved the contact edge by so many of its
  * widths that Newton's method failed. */
 po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
                            double *slope, po_solution *out, double value[2]) {
   const double given = *slope;
-  const po_status status = locate_from(c, from, 0.0, of, slope, out, value);
-  if (status != PO_NOT_CONVERGED || isnan(given))
-    return status;
-  *slope = given;
-  po_corrector_guess(c, from);
-  return locate_from(c, from, po_corrector_place_of_guess(c, from), of, slope, out, value);
+  double at = 0.0;
+  for (int search = 0;; ++search) {
+    po_status status = find_root(c, from, at, of, slope, out, value);
+    if (status != PO_NOT_CONVERGED || isnan(given))
+      return status;
+    *slope = given;
+    status = extrapolate(c, from, at, of, given, out, value);
+    if (status != PO_NOT_CONVERGED || search > 0)
+      return status;
+    po_corrector_guess(c, from);
+    at = po_corrector_place_of_guess(c, from);
+  }
 }
 
 double po_refine_error(double precision, double change, double value) {

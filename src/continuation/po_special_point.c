@@ -51,18 +51,26 @@ static bool is_suspect(const po_sample *a, const po_sample *b, po_event_kind q) 
                                VERTEX_OUTSIDE) < SUSPECT;
 }
 
+/* Adds an event that is to be located. Status: PO_NOT_CONVERGED if there are too many. */
+static po_status add_event(po_event_kind of, const po_sample *low, const po_sample *high,
+                           po_events *found) {
+  if (found->count == PO_MOST_EVENTS)
+    return PO_NOT_CONVERGED;
+  found->list[found->count] =
+      (po_event){.of = of, .low = *low, .high = *high, .place = found->count};
+  ++found->count;
+  return PO_OK;
+}
+
 static po_status collect_between(const po_interval *interval, const po_sample *a,
                                  const po_sample *b, po_events *found) {
-  for (po_event_kind q = PO_OF_APPROACH; q <= PO_AT_END; ++q) {
+  po_status status = PO_OK;
+  for (po_event_kind q = PO_OF_APPROACH; q <= PO_AT_END && !status; ++q) {
     const double low = event_value(interval, q, a), high = event_value(interval, q, b);
-    if (!((low < 0.0 && high >= 0.0) || (low > 0.0 && high <= 0.0)))
-      continue;
-    if (found->count == PO_MOST_EVENTS)
-      return PO_NOT_CONVERGED;
-    found->list[found->count] = (po_event){.of = q, .low = *a, .high = *b, .place = found->count};
-    ++found->count;
+    if ((low < 0.0 && high >= 0.0) || (low > 0.0 && high <= 0.0))
+      status = add_event(q, a, b, found);
   }
-  return PO_OK;
+  return status;
 }
 
 /* Which ends of an interval are shared with an interval in which a contact annulus forms or
@@ -224,23 +232,18 @@ static po_status locate(const po_interval *interval, po_event *ev) {
 /* Adds the stations that are passed twice between two samples, before and after a fold: both
  * samples are on one side of the station, the fold is on the other. */
 static po_status add_hidden(const po_interval *interval, const po_event *fold, po_events *found) {
-  for (po_event_kind q = PO_AT_STATION; q <= PO_AT_END; ++q) {
+  po_status status = PO_OK;
+  for (po_event_kind q = PO_AT_STATION; q <= PO_AT_END && !status; ++q) {
     const double low = event_value(interval, q, &fold->low),
                  high = event_value(interval, q, &fold->high),
                  turn = event_value(interval, q, &fold->here);
     if (!(low * high > 0.0 && low * turn < 0.0))
       continue;
-    if (found->count + 2 > PO_MOST_EVENTS)
-      return PO_NOT_CONVERGED;
-    for (int after = 0; after < 2; ++after) {
-      found->list[found->count] = (po_event){.of = q,
-                                             .low = after ? fold->here : fold->low,
-                                             .high = after ? fold->high : fold->here,
-                                             .place = found->count};
-      ++found->count;
-    }
+    status = add_event(q, &fold->low, &fold->here, found);
+    if (!status)
+      status = add_event(q, &fold->here, &fold->high, found);
   }
-  return PO_OK;
+  return status;
 }
 
 static int by_root(const void *left, const void *right) {

@@ -110,16 +110,15 @@ static double excess_error(const po_request *request, const po_result *result) {
   return excess > 1.0 ? excess : 0.0;
 }
 
-/* If approach_end or the preload is below the approach at which the trace would begin, the trace
- * begins at a smaller approach. */
-static double farthest_of(const po_request *request) {
-  const double preload = request->preload.approach;
-  return (isfinite(preload) ? fmin(request->approach_end, preload) : request->approach_end) -
-         START_MARGIN;
-}
-
-static double farthest_start(const po_scene *scene) {
-  return BEGIN * (po_law_size(&scene->law, 0.0) + po_scene_scales(scene).wavy_stretch);
+/* The greatest approach at which the trace may begin; NAN: any. */
+static double latest_start(const po_request *request) {
+  const double preload = request->preload.approach, end = request->approach_end;
+  const double begin = (isfinite(preload) ? fmin(end, preload) : end) - START_MARGIN;
+  if (!(request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD)))
+    return begin;
+  const po_scene *scene = &request->scene;
+  return fmin(begin,
+              -BEGIN * (po_law_size(&scene->law, 0.0) + po_scene_scales(scene).wavy_stretch));
 }
 
 /* The least part of the estimate that a solve needs. */
@@ -147,9 +146,7 @@ static po_status attempt(const po_request *request, po_kept_points *kept, po_res
     return status;
   po_attempt a = {.core = po_observe_core(request),
                   .tolerance = request->mesh.tolerance,
-                  .begin = farthest_of(request)};
-  if (request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
-    a.begin = fmin(a.begin, -farthest_start(&request->scene));
+                  .begin = latest_start(request)};
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     po_result_clear(result);
