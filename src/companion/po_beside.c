@@ -196,19 +196,18 @@ static double tabor_of_crest(const po_scene *scene, double tabor) {
 static void find_numbers(const po_request *request, const po_result *result,
                          double number[PO_ASSUMPTION_COUNT]) {
   const po_scene *scene = &request->scene;
-  double amplitude = 0.0, longest = 0.0;
-  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
+  double amplitude = 0.0;
+  for (size_t k = 0; k < po_scene_waves(scene); ++k)
     amplitude += po_scene_wave(scene, k).amplitude;
-    longest = fmax(longest, po_scene_wave(scene, k).length);
-  }
   number[PO_ASSUMES_NOTHING] = NAN;
   number[PO_ASSUMES_TABOR] = po_scene_scales(scene).stretch;
   number[PO_ASSUMES_CREST_TABOR] = tabor_of_crest(scene, number[PO_ASSUMES_TABOR]);
   number[PO_ASSUMES_SHAPE_TABOR] =
       po_profile_is_sphere(&scene->profile) ? INFINITY : number[PO_ASSUMES_TABOR];
   number[PO_ASSUMES_FULL_DISC] = result->has_pull_off ? result->pull_off.full_disc : (double)NAN;
-  number[PO_ASSUMES_WAVES] =
-      result->has_pull_off ? result->pull_off.contact_radius / longest : (double)NAN;
+  number[PO_ASSUMES_WAVES] = result->has_pull_off
+                                 ? result->pull_off.contact_radius / po_abel_longest_wave(scene)
+                                 : (double)NAN;
   number[PO_ASSUMES_AMPLITUDE] = amplitude;
 }
 

@@ -292,36 +292,24 @@ double po_abel_greatest_rate(const po_scene *scene, double x) {
  * the largest difference at these points is 0.2137. */
 static const double FIRST_ZERO = 3.6, BOUND = 1.5, RATE_BOUND = 0.22;
 
-/* What g of a wave loses at most from the lower end of an interval that is shorter than the wave;
- * INFINITY for others, for which the first bounds are better. */
-static double greatest_loss(po_wave wave, double low, double high) {
-  const double k = 2.0 * M_PI / wave.length;
-  return high - low < wave.length
-             ? (high - low) * M_PI_2 * wave.amplitude * k * (sqrt(M_2_PI * k * high) + RATE_BOUND)
-             : INFINITY;
-}
-
-double po_abel_waves_least_g(const po_scene *scene, double low, double high) {
-  double sum = 0.0;
+/* On an interval that is shorter than the wave, g loses at most what its rate allows. */
+po_abel po_abel_waves_least(const po_scene *scene, double low, double high) {
+  po_abel sum = ZERO;
   for (size_t i = 0; i < po_scene_waves(scene); ++i) {
     const po_wave wave = po_scene_wave(scene, i);
-    const double bound = -M_PI_2 * wave.amplitude * sqrt(4.0 * high / wave.length),
-                 loss = greatest_loss(wave, low, high);
-    sum += isinf(loss) ? bound : fmax(bound, of_wave(wave, low).g - loss);
-  }
-  return sum;
-}
-
-double po_abel_waves_least_press(const po_scene *scene, double low, double high) {
-  double sum = 0.0;
-  for (size_t i = 0; i < po_scene_waves(scene); ++i) {
-    const po_wave wave = po_scene_wave(scene, i);
-    const double y = 2.0 * M_PI / wave.length * high, loss = greatest_loss(wave, low, high);
-    double bound = 0.0;
+    const double k = 2.0 * M_PI / wave.length, y = k * high, factor = M_PI_2 * wave.amplitude;
+    double g = -factor * sqrt(4.0 * high / wave.length), press = 0.0;
     if (y > FIRST_ZERO)
-      bound =
-          -M_PI_2 * wave.amplitude * high * sqrt(M_2_PI * y) * (1.0 + BOUND / (y * y * sqrt(y)));
-    sum += isinf(loss) ? bound : fmax(bound, of_wave(wave, low).press - high * loss);
+      press = -factor * high * sqrt(M_2_PI * y) * (1.0 + BOUND / (y * y * sqrt(y)));
+    if (high - low < wave.length) {
+      const po_abel first = of_wave(wave, low);
+      const double loss =
+          (high - low) * M_PI_2 * wave.amplitude * k * (sqrt(M_2_PI * k * high) + RATE_BOUND);
+      g = fmax(g, first.g - loss);
+      press = fmax(press, first.press - high * loss);
+    }
+    sum.g += g;
+    sum.press += press;
   }
   return sum;
 }

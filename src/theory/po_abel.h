@@ -29,12 +29,11 @@ double po_abel_greatest_drop(const po_scene *scene, double low, double high);
 
 /* Bounds. `fall`: the transform of the profile without waves falls nowhere faster than this; 0 for
  * profiles that are convex. `po_abel_greatest_rate`: no smaller than dg/dx anywhere up to x, waves
- * included; it grows with x. `po_abel_waves_least_g`, `po_abel_waves_least_press`: no
- * greater than the part of the waves in g and press anywhere on [low, high]. */
+ * included; it grows with x. `po_abel_waves_least`: g and press no greater than the part of the
+ * waves in them anywhere on [low, high]; rate is not used. */
 double po_abel_fall(const po_scene *scene);
 double po_abel_greatest_rate(const po_scene *scene, double x);
-double po_abel_waves_least_g(const po_scene *scene, double low, double high);
-double po_abel_waves_least_press(const po_scene *scene, double low, double high);
+po_abel po_abel_waves_least(const po_scene *scene, double low, double high);
 
 /* A length in which dg/dx is close to a parabola: a part of the shortest wavelength, of x, and for
  * a table of the interval between its rows. */

@@ -120,18 +120,6 @@ static void maugis_along(const po_form_input *in, po_form_values *v) {
   put(v, PO_FORM_LENGTH, "end_of_tension", here.end);
 }
 
-static void rigid_of_profile(const po_form_input *in, po_form_values *v) {
-  po_rigid_pull_off p;
-  note(v, po_rigid_profile_pull_off(&in->scene, &p));
-  put_pull_off(v, p.force, p.approach);
-}
-
-static void rigid_of_profile_along(const po_form_input *in, po_form_values *v) {
-  double load, rate;
-  note(v, po_rigid_profile_load(&in->scene, in->at, &load, &rate));
-  put(v, PO_FORM_FORCE, "load", load);
-}
-
 /* All forms. */
 
 static void bradley(const po_form_input *in, po_form_values *v) {
@@ -144,20 +132,21 @@ static void bradley_along(const po_form_input *in, po_form_values *v) {
 }
 
 static void rigid(const po_form_input *in, po_form_values *v) {
-  if (is_general(in)) {
-    rigid_of_profile(in, v);
-    return;
-  }
-  const po_rigid_pull_off p = po_wavy_rigid_pull_off(in->scene.amplitude, in->alpha);
+  po_rigid_pull_off p;
+  if (is_general(in))
+    note(v, po_rigid_profile_pull_off(&in->scene, &p));
+  else
+    p = po_wavy_rigid_pull_off(in->scene.amplitude, in->alpha);
   put_pull_off(v, p.force, p.approach);
 }
 
 static void rigid_along(const po_form_input *in, po_form_values *v) {
-  if (is_general(in)) {
-    rigid_of_profile_along(in, v);
-    return;
-  }
-  put(v, PO_FORM_FORCE, "load", po_wavy_rigid_load(in->scene.amplitude, in->alpha, in->at));
+  double load, rate;
+  if (is_general(in))
+    note(v, po_rigid_profile_load(&in->scene, in->at, &load, &rate));
+  else
+    load = po_wavy_rigid_load(in->scene.amplitude, in->alpha, in->at);
+  put(v, PO_FORM_FORCE, "load", load);
 }
 
 static void jkr(const po_form_input *in, po_form_values *v) {
@@ -170,11 +159,10 @@ static void jkr(const po_form_input *in, po_form_values *v) {
 }
 
 static void jkr_along(const po_form_input *in, po_form_values *v) {
-  if (is_general(in)) {
+  if (is_general(in))
     jkr_of_profile_along(in, v);
-    return;
-  }
-  put_contact(v, HERE, po_jkr_at(&in->scene, in->at));
+  else
+    put_contact(v, HERE, po_jkr_at(&in->scene, in->at));
 }
 
 static void dmt(const po_form_input *in, po_form_values *v) {

@@ -66,9 +66,9 @@ static double bound_of(const curve *c, double at, double low, double a) {
   po_abel t = po_abel_of_profile(c->scene, at);
   const double fall = c->fall * (a - at);
   if (c->given == PO_GIVEN_LOAD)
-    t.press += po_abel_waves_least_press(c->scene, low, a) - 0.5 * fall * (a + at);
+    t.press += po_abel_waves_least(c->scene, low, a).press - 0.5 * fall * (a + at);
   else
-    t.g += po_abel_waves_least_g(c->scene, low, a) - fall;
+    t.g += po_abel_waves_least(c->scene, low, a).g - fall;
   return value_of(c, t, a);
 }
 
@@ -300,7 +300,7 @@ static double first_below(const curve *c, double a, double approach) {
   double x = a;
   for (int k = 0; k < MOST_LOOKS; ++k) {
     const po_abel profile = po_abel_of_profile(scene, x);
-    if (x >= whole && profile.g + po_abel_waves_least_g(scene, 0.0, x) > approach)
+    if (x >= whole && profile.g + po_abel_waves_least(scene, 0.0, x).g > approach)
       return INFINITY;
     if (k > 0 && po_abel_at(scene, x).g < approach)
       return x;
@@ -321,7 +321,7 @@ po_status po_jkr_profile_check(const po_scene *scene, double contact_radius, dou
   const double profile = po_abel_of_profile(scene, a).g + c.fall * a;
   /* The deflection outside is at least -greatest a/r, as g is not above approach + greatest inside:
    * y H0(y) <= sqrt(2y/pi) + 1.3. */
-  double greatest = profile - po_abel_waves_least_g(scene, 0.0, a) - approach;
+  double greatest = profile - po_abel_waves_least(scene, 0.0, a).g - approach;
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
     greatest += 1.3 * M_PI_2 * po_scene_wave(scene, k).amplitude;
   double r = first_below(&c, a, approach);

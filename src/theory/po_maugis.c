@@ -166,9 +166,9 @@ static double rate_by_cosine(double x, po_abel t, const void *data) {
   return t.rate * x / *(const double *)data;
 }
 
-/* By the implicit function of the gap: along the curve dc/da = -gap_a/gap_c, *end_rate. */
-static double rates(const po_scene *scene, double tension, po_given given, const po_maugis *state,
-                    double *end_rate) {
+/* By the implicit function of the gap: along the curve dc/da = -gap_a/gap_c. */
+double po_maugis_rate(const po_scene *scene, double tension, po_given given, const po_maugis *state,
+                      double *end_rate) {
   const double a = state->contact.contact_radius, c = state->end;
   const ring m = ring_of(scene, tension, a);
   const lengths l = lengths_of(&m, c - a);
@@ -183,12 +183,6 @@ static double rates(const po_scene *scene, double tension, po_given given, const
   const double load_a = 2.0 * a / m.coupling * (m.at.rate + pull * a / l.s),
                load_c = -4.0 * tension * c * (a / l.s + l.angle);
   return (load_a + load_c * *end_rate) / (M_PI * scene->radius);
-}
-
-double po_maugis_rate(const po_scene *scene, double tension, po_given given,
-                      const po_maugis *state) {
-  double end_rate;
-  return rates(scene, tension, given, state, &end_rate);
 }
 
 /* The search for the pull-off. */
@@ -206,9 +200,10 @@ static double value_of(const search *s, const po_maugis *state) {
 static double rate_at(double a, const void *data) {
   const search *s = data;
   po_maugis state;
+  double end_rate;
   if (solve(s->scene, s->tension, a, &s->last, &state))
     return NAN;
-  return po_maugis_rate(s->scene, s->tension, s->given, &state);
+  return po_maugis_rate(s->scene, s->tension, s->given, &state, &end_rate);
 }
 
 /* Steps of the contact radius relative to it, and to a wave; the first one relative to the width of
@@ -231,8 +226,8 @@ static bool is_beyond(const search *s, const po_maugis *state) {
     return false;
   const po_abel all = po_abel_at(scene, a), profile = po_abel_of_profile(scene, a);
   if (s->given == PO_GIVEN_APPROACH)
-    return state->contact.approach - all.g + profile.g + po_abel_waves_least_g(scene, 0.0, a) > 0.0;
-  const double waves = po_abel_waves_least_press(scene, 0.0, a) + profile.press - all.press;
+    return state->contact.approach - all.g + profile.g + po_abel_waves_least(scene, 0.0, a).g > 0.0;
+  const double waves = po_abel_waves_least(scene, 0.0, a).press + profile.press - all.press;
   return state->contact.load + 2.0 * waves / (po_scene_coupling(scene) * M_PI * scene->radius) >
          0.0;
 }
@@ -256,7 +251,7 @@ static po_status take(search *s, double a, po_maugis *least) {
 static po_status rate_beyond(search *s, double a, po_maugis *state, double *rate) {
   const po_status status = solve(s->scene, s->tension, a, &s->last, state);
   if (!status) {
-    *rate = rates(s->scene, s->tension, s->given, state, &s->last.slope);
+    *rate = po_maugis_rate(s->scene, s->tension, s->given, state, &s->last.slope);
     s->last.slope -= 1.0;
     s->last.radius = a;
     s->last.width = state->end - a;
@@ -369,7 +364,7 @@ po_status po_maugis_check(const po_scene *scene, double tension, const po_maugis
   /* Outside, the deflection is at least -greatest a/r, as in po_jkr_profile_check, less that of the
    * tension, which attracts. */
   double greatest = po_abel_of_profile(scene, l.c).g + po_abel_fall(scene) * l.c -
-                    po_abel_waves_least_g(scene, 0.0, l.c) - state->contact.approach +
+                    po_abel_waves_least(scene, 0.0, l.c).g - state->contact.approach +
                     2.0 * tension * m.coupling * l.s;
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
     greatest += 1.3 * M_PI_2 * po_scene_wave(scene, k).amplitude;

@@ -30,9 +30,10 @@ double po_maugis_matched_tension(const po_scene *scene);
 po_status po_maugis_at(const po_scene *scene, double tension, double contact_radius,
                        po_maugis *state);
 
-/* The derivatives by the contact radius of load (pi w R/eps) and approach along the curve. */
-double po_maugis_rate(const po_scene *scene, double tension, po_given given,
-                      const po_maugis *state);
+/* The derivative of load (pi w R/eps) or approach by the contact radius along the curve. Returned:
+ * also that of the end of the tension. */
+double po_maugis_rate(const po_scene *scene, double tension, po_given given, const po_maugis *state,
+                      double *end_rate);
 
 /* The pull-off: the lowest of all minima of the load, or of the approach, over the contact radius;
  * the contact radius is 0 if the load rises from there. Given: predict, whether the search predicts

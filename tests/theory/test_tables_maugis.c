@@ -25,13 +25,16 @@ START_TEST(maugis_agrees_with_the_table) {
     /* the rates by central differences */
     po_maugis before, after;
     const double h = 1e-4 * a;
+    double end_rate;
     ck_assert(po_maugis_at(&s, tension, a - h, &before) == PO_OK);
     ck_assert(po_maugis_at(&s, tension, a + h, &after) == PO_OK);
-    compare("load rate", &s, a, po_maugis_rate(&s, tension, PO_GIVEN_LOAD, &got),
+    compare("load rate", &s, a, po_maugis_rate(&s, tension, PO_GIVEN_LOAD, &got, &end_rate),
             (after.contact.load - before.contact.load) / (2.0 * h), 1e-5 * size.load / a);
-    compare("approach rate", &s, a, po_maugis_rate(&s, tension, PO_GIVEN_APPROACH, &got),
+    compare("approach rate", &s, a, po_maugis_rate(&s, tension, PO_GIVEN_APPROACH, &got, &end_rate),
             (after.contact.approach - before.contact.approach) / (2.0 * h),
             1e-5 * size.approach / a);
+    compare("rate of the end", &s, a, end_rate, (after.end - before.end) / (2.0 * h),
+            1e-5 * got.end / a);
   }
   table_close(&t, "Maugis-Dugdale", 42, 3);
 }
