@@ -301,7 +301,7 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
   return PO_OK;
 }
 
-static po_status follow_to(po_follower *f, double at) {
+po_status po_follow_to(po_follower *f, double at) {
   const double whole = at - mark_of(f, 0)->at;
   double left = whole;
   while (left != 0.0) {
@@ -341,13 +341,6 @@ static po_status follow_to(po_follower *f, double at) {
     left = last ? 0.0 : at - to;
   }
   return PO_OK;
-}
-
-po_status po_follow_to(po_follower *f, double at, double deadline) {
-  const po_watch before = po_watch_begin(NULL, deadline);
-  const po_status status = follow_to(f, at);
-  po_watch_end(before);
-  return status;
 }
 
 po_branch_point po_follow_point(po_follower *f, bool judged) {

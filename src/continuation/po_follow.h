@@ -34,12 +34,11 @@ void po_follow_destroy(po_follower *follower);
  * PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
 po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_kind of, double at);
 
-/* Follows the special point to a value of the parameter, in as many steps as necessary. Given:
- * deadline, the processor time of this thread (po_clock_thread) at which the function gives up,
- * checked before every step; INFINITY: none. Status: PO_NOT_FOUND if the special point is lost,
- * usually because it merges with another and both end there; PO_OUT_OF_NODES; PO_OUT_OF_TIME;
- * PO_NO_MEMORY. */
-po_status po_follow_to(po_follower *f, double at, double deadline);
+/* Follows the special point to a value of the parameter, in as many steps as necessary. Status:
+ * PO_NOT_FOUND if the special point is lost, usually because it merges with another and both end
+ * there; PO_OUT_OF_NODES; PO_OUT_OF_TIME, PO_INTERRUPTED, by the watch (po_watch.h), before every
+ * step; PO_NO_MEMORY. */
+po_status po_follow_to(po_follower *f, double at);
 
 /* The special point at the present value of the parameter. Its pointers are valid until the next
  * call. Given: judged, whether it is solved on finer meshes for its errors. */

@@ -29,8 +29,9 @@ static bool has_adjoint(const po_surface *surface, const po_solution *p) {
          p->tangent[p->n] != 0.0;
 }
 
-bool po_adjoint_sensitivity(const po_scene *scene, const po_surface *surface, const po_solution *p,
-                            po_sensitivity *made) {
+/* d ln(force) / d ln(parameter). Returned: whether it is known. */
+static bool find_sensitivity(const po_scene *scene, const po_surface *surface, const po_solution *p,
+                             po_sensitivity *made) {
   *made = (po_sensitivity){.residual = NAN, .rounding = NAN};
   if (!has_adjoint(surface, p))
     return false;
@@ -98,8 +99,8 @@ static po_status weigh_rigid(const po_scene *scene, double approach, weights *w)
   return status;
 }
 
-po_status po_adjoint_noise(const po_scene *scene, const po_surface *surface,
-                           const po_branch_point *p, po_result *o) {
+static po_status find_noise(const po_scene *scene, const po_surface *surface,
+                            const po_branch_point *p, po_result *o) {
   const po_profile_table *table = scene->profile.table;
   free(o->noise.change);
   o->noise.change = NULL;
@@ -116,4 +117,12 @@ po_status po_adjoint_noise(const po_scene *scene, const po_surface *surface,
     status = po_profile_table_noise(table, w.count, w.list, &o->noise.deviation, o->noise.change);
   free(w.list);
   return status;
+}
+
+po_status po_adjoint_note(const po_scene *scene, const po_surface *surface,
+                          const po_branch_point *p, po_result *o) {
+  if (p->solution)
+    o->pull_off.has_sensitivity =
+        find_sensitivity(scene, surface, p->solution, &o->pull_off.sensitivity);
+  return find_noise(scene, surface, p, o);
 }

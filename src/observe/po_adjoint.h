@@ -12,24 +12,18 @@
 #ifndef PO_ADJOINT_H
 #define PO_ADJOINT_H
 
-#include <stdbool.h>
-
 #include "po_branch_point.h"
 #include "po_result.h"
 #include "po_scene.h"
 #include "po_solution.h"
 #include "po_surface.h"
 
-/* d ln(force) / d ln(parameter) at a minimum of the load; residual and rounding are NAN. Given: the
- * surface, on whose mesh the solution is. Returned: false if it is not, or at a fold. */
-bool po_adjoint_sensitivity(const po_scene *scene, const po_surface *surface, const po_solution *p,
-                            po_sensitivity *made);
-
-/* The standard deviation of the force by the noise of a smoothed table, and the change of the table
- * that belongs to it. Given: a minimum of the load; surface, not looked at for rigid bodies, whose
- * x is dp/dH (2/R) r dr at the initial gap. Returned: `noise` of the result, whose change is
- * NULL without a smoothed table, or off panels. Status: PO_NO_MEMORY. */
-po_status po_adjoint_noise(const po_scene *scene, const po_surface *surface,
-                           const po_branch_point *p, po_result *result);
+/* The sensitivity of the pull-off force; its standard deviation by the noise of a smoothed table,
+ * and the change of the table that belongs to it. Given: a minimum of the load; surface, on whose
+ * mesh it is, not looked at for rigid bodies, whose x is dp/dH (2/R) r dr at the initial gap.
+ * Returned: in the result, `sensitivity` of the pull-off, unless at a fold or off panels; and
+ * `noise`, whose change is NULL without a smoothed table, or off panels. Status: PO_NO_MEMORY. */
+po_status po_adjoint_note(const po_scene *scene, const po_surface *surface,
+                          const po_branch_point *p, po_result *result);
 
 #endif

@@ -220,10 +220,8 @@ po_status po_observe(const po_request *asked, po_result *result) {
   const po_request request = po_load_unit_request(asked);
   const po_watch before = po_watch_begin(request.stop, po_observe_deadline(&request));
   po_status status = trace_attempts(&request, NULL, result);
-  if (!status && (request.want & PO_WANT_DIAGNOSTICS))
-    status = po_diagnose_moved(&request, result);
-  if (!status && result->has_pull_off)
-    status = po_uncertainty_solve(&request, result);
+  if (!status)
+    status = po_observe_changed(&request, result);
   if (!status)
     status = accompany(&request, result);
   po_watch_end(before);

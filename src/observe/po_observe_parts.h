@@ -46,21 +46,16 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
  * limit. */
 double po_observe_deadline(const po_request *request);
 
-/* po_observe without the companion theory and without the solves with changed inputs
- * (po_diagnose_moved). Given: kept, empty but for `minima`, or NULL. Returned: kept, to be cleared
- * whatever the status. */
+/* po_observe without the companion theory and without the solves with changed inputs. Given: kept,
+ * empty but for `minima`, or NULL. Returned: kept, to be cleared whatever the status. */
 po_status po_observe_kept(const po_request *request, po_kept_points *kept, po_result *result);
 
-/* Solves the scene again with each uncertain input, and with the profile changed by its noise, both
- * ways (doc/method.md, "Uncertain inputs"). Given: a request with a pull-off in its result.
- * Returned: the uncertainties of the result. A solve that fails is not a failure. Status: as
- * po_diagnose_moved. */
-po_status po_uncertainty_solve(const po_request *request, po_result *result);
-
-/* Solves the scene again with each parameter changed by one unit in the last place. Given: a
- * request that succeeded, and its result. Status: PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME,
- * also by the watch (po_watch.h). */
-po_status po_diagnose_moved(const po_request *request, po_result *result);
+/* Solves the scene again: for the diagnostics with each parameter changed by one unit in the last
+ * place; and for the uncertainty of a pull-off with each uncertain input, and with the profile
+ * changed by its noise, both ways (doc/method.md, "Uncertain inputs"). Given: a request that
+ * succeeded, and its result. A solve that fails is not a failure. Status: PO_NO_MEMORY,
+ * PO_INTERRUPTED, PO_OUT_OF_TIME, also by the watch (po_watch.h). */
+po_status po_observe_changed(const po_request *request, po_result *result);
 
 /* The allowed errors of the panels, and the precision of Newton's method, for a relative tolerance
  * of the pull-off force. */

@@ -72,10 +72,7 @@ static void note_minimum(po_reader *r, const po_branch_point *p, const po_estima
   if (!po_stopping_note_minimum(&r->stopping, e->point.load))
     return;
   po_estimate_pull_off(e, r->result);
-  if (p->solution)
-    r->result->pull_off.has_sensitivity = po_adjoint_sensitivity(
-        &r->request->scene, r->surface, p->solution, &r->result->pull_off.sensitivity);
-  keep_status(r, po_adjoint_noise(&r->request->scene, r->surface, p, r->result));
+  keep_status(r, po_adjoint_note(&r->request->scene, r->surface, p, r->result));
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, p);
   const double edge = po_contact_radius(&gap);
   r->result->pull_off.full_disc = edge > 0.0 ? po_contact_disc(&gap) / edge : (double)NAN;
@@ -106,16 +103,6 @@ static po_status keep_point(po_kept_points *kept, const po_branch_point *p, doub
   if (!status)
     po_solution_copy(p->solution, &new->point);
   return status;
-}
-
-po_reader po_reader_begin(const po_request *request, po_result *result) {
-  return (po_reader){.request = request,
-                     .result = result,
-                     .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
-                     .special = {.greatest = {.traced_approach_error = NAN,
-                                              .traced_load_error = NAN,
-                                              .traced_energy_error = NAN}},
-                     .stopping = po_stopping_begin(request)};
 }
 
 /* Appends a point to the path. Given: contact radius, eps. Status: PO_NO_MEMORY. */

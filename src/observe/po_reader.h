@@ -58,9 +58,8 @@ typedef struct {
   po_status status;
 } po_reader;
 
-/* Initialises a reader for a trace; and frees its memory, after storing the energy balance in the
- * result and giving it the curve, of which it has none before. */
-po_reader po_reader_begin(const po_request *request, po_result *result);
+/* Frees the memory of a reader, after storing the energy balance in the result and giving it the
+ * curve, of which it has none before. */
 void po_reader_end(po_reader *reader);
 
 /* What a stop means for the trace: the end of a search of limited effort, otherwise a failure.

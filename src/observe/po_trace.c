@@ -177,8 +177,14 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
                    po_result *result) {
   const bool rigid = po_rigid_suffices(&request->scene);
   po_surface *surface = NULL;
-  po_reader reader = po_reader_begin(request, result);
-  reader.kept_points = kept;
+  po_reader reader = {.request = request,
+                      .result = result,
+                      .kept_points = kept,
+                      .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
+                      .special = {.greatest = {.traced_approach_error = NAN,
+                                               .traced_load_error = NAN,
+                                               .traced_energy_error = NAN}},
+                      .stopping = po_stopping_begin(request)};
   if (kept) {
     const bool minima = kept->minima;
     po_kept_points_clear(kept);

@@ -52,7 +52,7 @@ static po_status move(const po_request *request, const po_request *moving, const
   return status;
 }
 
-po_status po_diagnose_moved(const po_request *request, po_result *result) {
+static po_status diagnose_moved(const po_request *request, po_result *result) {
   po_diagnostics *d = &result->diagnostics;
   po_request moving = *request;
   moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the other results may change the steps */
@@ -179,7 +179,7 @@ static void add_squares(po_result *o) {
   o->uncertainty = sqrt(squares);
 }
 
-po_status po_uncertainty_solve(const po_request *request, po_result *o) {
+static po_status find_uncertainty(const po_request *request, po_result *o) {
   const size_t count = request->variations + (o->noise.change != NULL);
   if (count == 0)
     return PO_OK;
@@ -193,4 +193,10 @@ po_status po_uncertainty_solve(const po_request *request, po_result *o) {
   if (!status)
     po_message_clear();
   return status;
+}
+
+po_status po_observe_changed(const po_request *request, po_result *result) {
+  const bool diagnoses = request->want & PO_WANT_DIAGNOSTICS;
+  const po_status status = diagnoses ? diagnose_moved(request, result) : PO_OK;
+  return status || !result->has_pull_off ? status : find_uncertainty(request, result);
 }

@@ -114,7 +114,7 @@ START_TEST(followed_folds_agree_with_full_traces) {
   for (size_t j = 0; j < f.count; ++j) {
     ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, l->from), PO_OK);
     for (int k = 0; k < 3; ++k) {
-      ck_assert_int_eq(po_follow_to(follower, l->to[k], INFINITY), PO_OK);
+      ck_assert_int_eq(po_follow_to(follower, l->to[k]), PO_OK);
       const po_branch_point p = po_follow_point(follower, true);
       const po_special_point *expected = &traced[k].folds[j];
       ck_assert_int_eq(p.kind, f.kind[j]);
@@ -142,8 +142,8 @@ START_TEST(folds_that_merge_are_not_found_beyond) {
   po_follower *follower = follower_of(&MERGING);
   for (size_t j = 0; j < f.count; ++j) {
     ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, MERGING.from), PO_OK);
-    ck_assert_int_eq(po_follow_to(follower, MERGING.to[0], INFINITY), PO_OK);
-    ck_assert_int_eq(po_follow_to(follower, MERGING.to[1], INFINITY), PO_NOT_FOUND);
+    ck_assert_int_eq(po_follow_to(follower, MERGING.to[0]), PO_OK);
+    ck_assert_int_eq(po_follow_to(follower, MERGING.to[1]), PO_NOT_FOUND);
   }
   po_arrays_free(&f.arrays);
   po_follow_destroy(follower);

@@ -251,13 +251,13 @@ START_TEST(time_limit_bounds_the_diagnostics) {
   request.want = PO_WANT_DIAGNOSTICS;
   request.time_limit = 1e6;
   const po_watch before = po_watch_begin(NULL, po_clock_thread() - 1.0);
-  ck_assert_int_eq(po_diagnose_moved(&request, &o), PO_OUT_OF_TIME);
+  ck_assert_int_eq(po_observe_changed(&request, &o), PO_OUT_OF_TIME);
   po_watch_end(before);
   ck_assert_uint_eq(o.diagnostics.moved.solves, 1);
   ck_assert_uint_eq(o.diagnostics.moved.failed, 1);
   ck_assert_ptr_nonnull(
       strstr(po_message(), "after 1e+06 s of processor time the branch is traced"));
-  ck_assert_int_eq(po_diagnose_moved(&request, &o), PO_OK);
+  ck_assert_int_eq(po_observe_changed(&request, &o), PO_OK);
   ck_assert_uint_eq(o.diagnostics.moved.solves, 5);
   ck_assert_uint_eq(o.diagnostics.moved.failed, 1);
   po_result_clear(&o);
