@@ -4,7 +4,6 @@
 #include "po_continuation_parts.h"
 #include "po_elementary.h"
 #include "po_hermite.h"
-#include "po_join.h"
 
 /* Error of the prediction, relative to 1 + H, that a step aims at, and the greatest that is
  * accepted. With a limit of 0.14 a step passed over the two folds of mu = 4 that are within 1e-4 of

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_join.h"
 #include "po_law.h"
 #include "po_rigid.h"
 #include "po_root.h"

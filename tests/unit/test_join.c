@@ -3,7 +3,7 @@
 #include <check.h>
 #include <math.h>
 
-#include "po_join.h"
+#include "po_branch_point.h"
 #include "run.h"
 
 static const double RADIUS = 2.385;

@@ -1,4 +1,4 @@
-#include "po_join.h"
+#include "po_branch_point.h"
 
 #include <math.h>
 
