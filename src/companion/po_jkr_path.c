@@ -181,6 +181,12 @@ static void mark_points(builder *b) {
   }
 }
 
+/* The JKR curve: the separated bodies at load 0 up to the first contact at approach 0, then every
+ * contact radius up to `end` (eps). Folds and extrema of the load are points; the energy is
+ * integrated from the loads. `position` is the contact radius, negative before contact; beyond an
+ * edge b of the profile it is b + sqrt(a^2 - b^2). A corner is two points at one position. The
+ * curve begins farther out than every jump. Accuracy: special points to rounding, energies to
+ * 1e-12. */
 static po_status build(builder *b, double end) {
   const jkr_curve *c = b->curve;
   po_status status = po_gauss_rule(RULE, b->node, b->weight);
@@ -212,23 +218,6 @@ static po_status build(builder *b, double end) {
   return status;
 }
 
-/* The JKR curve: the separated bodies at load 0 up to the first contact at approach 0, then every
- * contact radius up to `end` (eps). Folds and extrema of the load are points; the energy is
- * integrated from the loads. `position` is the contact radius, negative before contact; beyond an
- * edge b of the profile it is b + sqrt(a^2 - b^2). A corner is two points at one position. The
- * curve begins farther out than every jump. Returned: *point, *count points, to be freed. Accuracy:
- * special points to rounding, energies to 1e-12. */
-static po_status path_of(const jkr_curve *curve, double end, po_curve_point **point,
-                         size_t *count) {
-  builder b = {.curve = curve};
-  const po_status status = build(&b, end);
-  if (status)
-    free(b.point);
-  *point = status ? NULL : b.point;
-  *count = status ? 0 : b.count;
-  return status;
-}
-
 /* Returned: whether in every staircase some preload gives the lowest load of the curve. */
 static bool reach_load(const po_staircases *staircases, double load) {
   bool reached = true;
@@ -240,20 +229,18 @@ static bool reach_load(const po_staircases *staircases, double load) {
 }
 
 po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_staircases *staircases) {
-  po_curve_point *point = NULL;
-  po_path path = {NULL, 0};
   *staircases = (po_staircases){.has_spring = false};
   jkr_curve curve;
   po_contact least;
   po_status status = curve_of(scene, &curve, &least);
   double end = 2.0 * fmax(least.contact_radius, curve.size);
   for (int k = 0; k < MOST_LENGTHS && !status; ++k, end *= LONGER) {
+    builder b = {.curve = &curve};
     po_staircases_clear(staircases);
-    status = path_of(&curve, end, &point, &path.count);
-    path.point = point;
+    status = build(&b, end);
     if (!status)
-      status = po_staircases_read(&path, spring, staircases);
-    free(point);
+      status = po_staircases_read(&(po_path){b.point, b.count}, spring, staircases);
+    free(b.point);
     if (reach_load(staircases, least.load))
       break;
   }
@@ -274,13 +261,11 @@ po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_contro
     end += po_initial_gap_radius(scene, preload.approach);
   status = PO_NOT_FOUND;
   for (int k = 0; k < MOST_LENGTHS && status == PO_NOT_FOUND; ++k, end *= LONGER) {
-    po_curve_point *point = NULL;
-    po_path path = {NULL, 0};
-    status = path_of(&curve, end, &point, &path.count);
-    path.point = point;
+    builder b = {.curve = &curve};
+    status = build(&b, end);
     if (!status)
-      status = po_hysteresis_follow(&path, preload, spring, hysteresis);
-    free(point);
+      status = po_hysteresis_follow(&(po_path){b.point, b.count}, preload, spring, hysteresis);
+    free(b.point);
   }
   return status;
 }
