@@ -10,7 +10,7 @@
 #include "po_pins.h"
 #include "po_plan.h"
 #include "po_print.h"
-#include "po_size.h"
+#include "po_observe.h"
 #include "po_verbs.h"
 
 static const char HELP[] =

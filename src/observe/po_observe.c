@@ -9,7 +9,6 @@
 #include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_scales.h"
-#include "po_size.h"
 #include "po_watch.h"
 
 /* The preload of the loops of the JKR theory: the approach of the request, otherwise the load at

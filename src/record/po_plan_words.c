@@ -8,7 +8,7 @@
 #include "po_memory.h"
 #include "po_pins.h"
 #include "po_quote.h"
-#include "po_size.h"
+#include "po_observe.h"
 
 /* Adds a line to the description. */
 static void __attribute__((format(printf, 2, 3))) say(json_t **lines, const char *format, ...) {

@@ -8,6 +8,7 @@
 #include "po_profile_table.h"
 #include "po_quadrature.h"
 #include "po_special.h"
+#include "po_watch.h"
 
 static const po_abel ZERO = {0.0, 0.0, 0.0};
 
@@ -68,7 +69,8 @@ static double part_beyond(double n, double end, double x) {
   return 0.5 * po_beta_incomplete(0.5, 0.5 * n, (x - end) / x * ((x + end) / x));
 }
 
-static po_abel of_table(const po_profile_table *t, double x) {
+static po_abel table(const po_scene *scene, double x) {
+  const po_profile_table *t = scene->profile.table;
   rules rule;
   po_abel sum = {0.0, 0.0, 0.0};
   if (po_gauss_rule(POINTS, rule.node, rule.weight) ||
@@ -112,14 +114,7 @@ static void widen(const po_profile_table *t, size_t k, double *least, double *mo
   }
 }
 
-/* The extrema over all radii up to x of (pi/2) (r f')', which bound the rate of the transform. */
-static double least_rate(const po_profile_table *t) {
-  double least = 0.0, most = 0.0;
-  for (size_t k = 0; k + 1 < t->rows; ++k)
-    widen(t, k, &least, &most);
-  return M_PI_2 * least;
-}
-
+/* The maximum over all radii up to x of (pi/2) (r f')', which bounds the rate of the transform. */
 static double greatest_rate(const po_profile_table *t, double x) {
   const size_t last = t->rows - 1;
   double least = 0.0, most = 0.0;
@@ -223,10 +218,6 @@ static po_abel truncated(const po_scene *scene, double x) {
   return (po_abel){x * s / R, (s + x * (x / s)) / R, s * (2.0 * x * x + b * b) / (3.0 * R)};
 }
 
-static po_abel table(const po_scene *scene, double x) {
-  return of_table(scene->profile.table, x);
-}
-
 static const struct {
   const po_profile_kind *kind;
   po_abel (*at)(const po_scene *scene, double x);
@@ -263,7 +254,10 @@ po_abel po_abel_at(const po_scene *scene, double x) {
 
 double po_abel_fall(const po_scene *scene) {
   const po_profile_table *t = table_of(scene);
-  return t ? -least_rate(t) : 0.0;
+  double least = 0.0, most = 0.0; /* of (r f')', which bounds the rate of the transform */
+  for (size_t k = 0; t && k + 1 < t->rows; ++k)
+    widen(t, k, &least, &most);
+  return least < 0.0 ? -M_PI_2 * least : 0.0;
 }
 
 double po_abel_greatest_drop(const po_scene *scene, double low, double high) {
@@ -331,4 +325,73 @@ double po_abel_detail(const po_scene *scene, double x) {
   const po_profile_table *t = table_of(scene);
   const size_t row = t ? po_order_last_up_to(t->r, t->rows, x) : 0;
   return t && row + 1 < t->rows ? fmin(detail, t->r[row + 1] - t->r[row]) : detail;
+}
+
+/* -- Integrals over the transform -- */
+
+/* Points of the rule in a piece. */
+enum { PIECE_POINTS = 16 };
+static const double MOST_PIECES = 1e6;
+/* Near the axis g is a power of x, so that pieces grow from the axis: the first is the part
+ * FIRST_PIECE of the whole, each further one ends at PIECE_GROWTH times its beginning, or after
+ * PIECE_OF_WAVE of a wave. */
+static const double PIECE_GROWTH = 4.0, FIRST_PIECE = 1e-5, PIECE_OF_WAVE = 0.5;
+
+typedef struct {
+  const po_scene *scene;
+  po_abel_integrand f;
+  const void *data;
+  bool to_edge; /* with the weight 1/sqrt(to^2 - x^2) */
+  double to;
+  double node[PIECE_POINTS], weight[PIECE_POINTS];
+} integral;
+
+/* The end of the piece that begins at x. */
+static double piece_end(const integral *q, double x) {
+  double end = fmin(q->to, fmax(PIECE_GROWTH * x, FIRST_PIECE * q->to));
+  end = fmin(end, po_profile_next_joint(&q->scene->profile, x));
+  for (size_t k = 0; k < po_scene_waves(q->scene); ++k)
+    end = fmin(end, x + PIECE_OF_WAVE * po_scene_wave(q->scene, k).length);
+  return end;
+}
+
+/* Beyond a kink or a row g is smooth in the square root of the distance from it, in which the rule
+ * is applied. The weight goes by the angle arccos(x/to). */
+static double piece(const integral *q, double from, double to) {
+  const double first = q->to_edge ? angle_of(from, q->to) : from,
+               whole = (q->to_edge ? angle_of(to, q->to) : to) - first;
+  double sum = 0.0;
+  for (int i = 0; i < PIECE_POINTS; ++i) {
+    const double v = q->node[i], place = first + whole * v * v;
+    const double x = fmin(fmax(q->to_edge ? q->to * po_cos(place) : place, from), to);
+    sum += q->weight[i] * 2.0 * v * fabs(whole) * q->f(x, po_abel_at(q->scene, x), q->data);
+  }
+  return sum;
+}
+
+double po_abel_integral(const po_scene *scene, double from, double to, bool to_edge,
+                        po_abel_integrand f, const void *data) {
+  integral q = {.scene = scene, .f = f, .data = data, .to_edge = to_edge, .to = to};
+  if (!(from < to))
+    return from == to ? 0.0 : NAN;
+  if (po_gauss_rule(PIECE_POINTS, q.node, q.weight))
+    return NAN;
+  double sum = 0.0, pieces = 0.0;
+  for (double x = from; x < to;) {
+    const double end = piece_end(&q, x);
+    if (!(end > x) || ++pieces > MOST_PIECES || po_watch_look())
+      return NAN;
+    sum += piece(&q, x, end);
+    x = end;
+  }
+  return sum;
+}
+
+static double less(double x, po_abel t, const void *data) {
+  (void)x;
+  return t.g - *(const double *)data;
+}
+
+double po_abel_gap(const po_scene *scene, double a, double approach, double r) {
+  return M_2_PI * po_abel_integral(scene, a, r, true, less, &approach);
 }

@@ -42,7 +42,7 @@ double po_abel_detail(const po_scene *scene, double x);
 /* The longest wavelength; 0 without waves. */
 double po_abel_longest_wave(const po_scene *scene);
 
-/* -- Integrals over the transform, po_abel_integral.c -- */
+/* -- Integrals over the transform -- */
 
 /* The integrand at x, with the transform there. */
 typedef double (*po_abel_integrand)(double x, po_abel t, const void *data);
