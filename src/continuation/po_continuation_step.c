@@ -109,7 +109,8 @@ static po_status solve_predicted(po_continuation *t, po_prediction *p, double di
   status = solve_guessed(t, distance, keep, precision, out);
   const bool same_nodes = t->c.e->work.meshes == meshes;
   if (!status && error)
-    *error = po_prediction_error(p, same_nodes ? t->c.guess : NULL, out);
+    *error = po_prediction_error(&(po_gap_field){po_prediction_gap, p}, &t->c.e->scene->law,
+                                 same_nodes ? t->c.guess : NULL, out);
   return status;
 }
 

@@ -8,6 +8,7 @@
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_memory.h"
+#include "po_prediction.h"
 #include "po_refine.h"
 #include "po_watch.h"
 
@@ -160,18 +161,6 @@ static void predicted_state(predictor *f, const po_equilibrium *e, size_t core, 
   }
 }
 
-/* The largest error of the predicted gap in the core, relative to 1 + H. Given: the special point
- * solved. */
-static double error_of(predictor *f, const po_solution *solved) {
-  double largest = 0.0;
-  for (size_t j = 0; j < solved->core; ++j) {
-    const double expected = predicted_gap(f, solved->node[j]);
-    largest = fmax(largest, fabs(solved->state[j] - expected) /
-                                po_law_size(&f->of[0].scene->law, solved->state[j]));
-  }
-  return largest;
-}
-
 /* Sets the scene of a parameter, on the current mesh. */
 static void set_scene(po_follower *f, double at) {
   f->options.scene_at(f->options.data, at, &f->scene);
@@ -281,7 +270,8 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
   set_scene(f, at);
   po_panels *const panels = f->surface->draft;
   po_panels_copy(mark_of(f, 0)->point.panels, panels);
-  po_status status = po_corrector_adapt(&f->c, &(po_gap_field){predicted_gap, &p}, panels);
+  const po_gap_field predicted = {predicted_gap, &p};
+  po_status status = po_corrector_adapt(&f->c, &predicted, panels);
   if (!status)
     status = po_corrector_mesh(&f->c, panels);
   if (status)
@@ -293,7 +283,7 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
   status = locate(f, &slope, value, out);
   if (status)
     return status;
-  *error = error_of(&p, out);
+  *error = po_prediction_error(&predicted, &p.of[0].scene->law, NULL, out);
   if (!(*error < GREATEST_PREDICTOR_ERROR) || !(slope * f->slope > 0.0))
     return PO_NOT_CONVERGED;
   f->slope = slope;

@@ -226,12 +226,12 @@ bool po_prediction_too_large(po_prediction *p, po_panel panel, double times) {
   return false;
 }
 
-double po_prediction_error(po_prediction *p, const double *guess, const po_solution *solved) {
+double po_prediction_error(const po_gap_field *predicted, const po_law *law, const double *guess,
+                           const po_solution *solved) {
   double largest = 0.0;
   for (size_t j = 0; j < solved->core; ++j) {
-    const double expected = guess ? guess[j] : po_prediction_gap(p, solved->node[j]);
-    largest = fmax(largest, fabs(solved->state[j] - expected) /
-                                po_law_size(&p->of_a.scene->law, solved->state[j]));
+    const double expected = guess ? guess[j] : predicted->gap_at(predicted->data, solved->node[j]);
+    largest = fmax(largest, fabs(solved->state[j] - expected) / po_law_size(law, solved->state[j]));
   }
   return largest;
 }

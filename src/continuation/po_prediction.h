@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "po_hermite.h"
+#include "po_resolution.h"
 #include "po_solution.h"
 
 typedef struct {
@@ -55,8 +56,10 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
  * displacement moves into it. */
 bool po_prediction_too_large(po_prediction *p, po_panel panel, double times);
 
-/* The largest error of the predicted gap in the core, relative to 1 + H. Given: the solution;
- * guess, the predicted state at the nodes of the solution, or NULL if the nodes have changed. */
-double po_prediction_error(po_prediction *p, const double *guess, const po_solution *solved);
+/* The largest error of a predicted gap in the core, relative to 1 + H. Given: the law; the
+ * solution; guess, the predicted state at the nodes of the solution, or NULL if the nodes have
+ * changed. */
+double po_prediction_error(const po_gap_field *predicted, const po_law *law, const double *guess,
+                           const po_solution *solved);
 
 #endif

@@ -129,28 +129,28 @@ static po_status collect(const po_interval *interval, const po_sample *a, const 
   return before ? before : collect(interval, &middle, b, second, splits + 1, found);
 }
 
-/* The function of the event, evaluated on the cubic between two samples. */
-static double event_on_cubic(const po_interval *interval, po_event_kind of, const po_sample *a,
-                             const po_sample *b, double at) {
-  const po_event_kind q = of <= PO_OF_LOAD ? of : PO_OF_APPROACH;
-  const double x = at - a->at, h = b->at - a->at;
-  po_sample s;
-  s.value[q] = po_hermite_value(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
-  s.rate[q] = po_hermite_rate(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
-  return event_value(interval, of, &s);
-}
-
 typedef struct {
   const po_interval *interval;
   po_event_kind of;
   const po_sample *a, *b;
 } cubic_event;
 
+/* The function of the event, evaluated on the cubic between two samples. */
+static double event_on_cubic(const cubic_event *c, double at) {
+  const po_sample *a = c->a, *b = c->b;
+  const po_event_kind q = c->of <= PO_OF_LOAD ? c->of : PO_OF_APPROACH;
+  const double x = at - a->at, h = b->at - a->at;
+  po_sample s;
+  s.value[q] = po_hermite_value(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
+  s.rate[q] = po_hermite_rate(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
+  return event_value(c->interval, c->of, &s);
+}
+
 /* Whether the function of the event has the same sign as at the first sample. */
 static bool is_before(double at, const void *data) {
   const cubic_event *c = data;
   const bool rises = event_value(c->interval, c->of, c->a) < 0.0;
-  return (event_on_cubic(c->interval, c->of, c->a, c->b, at) < 0.0) == rises;
+  return (event_on_cubic(c, at) < 0.0) == rises;
 }
 
 /* The root of that function, which has different signs at the two samples. */

@@ -70,7 +70,9 @@ START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
     ck_assert_double_lt(po_edge_strain(&p.edges, p.shift, &tightest), 0.5);
     if (reach < way || p.edges.count == a->edges.count)
       continue;
-    ck_assert_double_lt(po_prediction_error(&p, NULL, to), 10.0 * ERROR);
+    ck_assert_double_lt(
+        po_prediction_error(&(po_gap_field){po_prediction_gap, &p}, &e.scene->law, NULL, to),
+        10.0 * ERROR);
     ++left;
   }
   ck_assert_uint_ge(left, 4);
