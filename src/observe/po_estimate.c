@@ -264,7 +264,9 @@ static far_field far_field_error(const po_scene *scene, const po_solution *p) {
   return (far_field){load, po_scene_coupling(scene) * scene->radius * load / p->domain};
 }
 
-double po_energy_error(const po_scene *scene, double precision, const po_branch_point *p) {
+double po_energy_error(const po_request *request, const po_branch_point *p) {
+  const po_scene *scene = &request->scene;
+  const double precision = po_observe_precision(request->mesh.tolerance);
   if (!p->gap)
     return RIGID * fmax(1.0, fabs(p->energy));
   if (!p->solution)
@@ -319,7 +321,7 @@ static void estimate_energy(const po_request *request, const po_branch_point *p,
   double from = p->approach, energy = p->energy, change = NAN;
   e->traced_energy_error = NAN;
   if (!p->gap)
-    e->traced_energy_error = change = po_energy_error(&request->scene, NAN, p);
+    e->traced_energy_error = change = po_energy_error(request, p);
   if (p->finer && p->best) {
     from = po_solution_approach(p->best);
     energy = p->best->energy;

@@ -27,7 +27,7 @@ void po_estimate_pull_off(const po_estimate *minimum, po_result *result);
 double po_estimate_miss(const po_request *request);
 
 /* An estimated bound of the error of the energy of any point of a branch at its approach, pi w R
- * eps; NAN for rings and triangles. Given: the precision of Newton's method (panels only). */
-double po_energy_error(const po_scene *scene, double precision, const po_branch_point *point);
+ * eps; NAN for rings and triangles. */
+double po_energy_error(const po_request *request, const po_branch_point *point);
 
 #endif

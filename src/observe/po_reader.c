@@ -287,10 +287,8 @@ static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radiu
 
 /* The error of the energy of a point, if something with such errors is wanted. */
 static double energy_error_of(const po_reader *r, const po_branch_point *p) {
-  if (!(r->request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD)))
-    return NAN;
-  const double precision = po_observe_precision(r->request->mesh.tolerance);
-  return po_energy_error(&r->request->scene, precision, p);
+  const bool wanted = r->request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD);
+  return wanted ? po_energy_error(r->request, p) : (double)NAN;
 }
 
 bool po_reader_visit(const po_branch_point *p, void *data) {

@@ -75,11 +75,11 @@ bool po_reader_visit(const po_branch_point *point, void *data);
 bool po_reader_visit_back(const po_branch_point *point, void *data);
 
 /* Computes what a test along the traced branch gives (po_test_results.c). Given: a trace that
- * succeeded, whose result has the special points, the pull-off and the cause of the end; the path
- * of the branch. Returned: in the result, the preload of the pull-off, the greatest pull-off of all
+ * succeeded, whose result has the special points, the pull-off and the cause of the end.
+ * Returned: in the result, the preload of the pull-off, the greatest pull-off of all
  * preloads, and the staircases and loops with their errors if they are wanted. If unloading leads
  * to a smaller approach than the trace began with, *begin is set instead of the loops, and the
  * trace must be repeated. Status: PO_NO_MEMORY. */
-po_status po_test_results(const po_reader *reader, const po_path *path, double *begin);
+po_status po_test_results(const po_reader *reader, double *begin);
 
 #endif

@@ -144,23 +144,22 @@ static double deepest_stable(const po_path *path, const po_result *o) {
 /* Whether no harder preload gives a greater pull-off force. The trace of a rigid wavy sphere is
  * complete from the approach at which the repulsion of the central crest exceeds all attraction.
  * The load of a smooth sphere, rigid or not, has no minimum under compression. */
-static bool is_complete(const po_request *request, const po_path *path, const po_stopping *stopping,
-                        const po_result *o) {
+static bool is_complete(const po_reader *reader, const po_path *path) {
+  const po_scene *scene = &reader->request->scene;
+  const po_result *o = reader->result;
   const double load = -o->pull_off_any.force;
   if (deepest_stable(path, o) < load - o->pull_off_any.force_error)
     return false;
-  if (o->rigid && !po_scene_is_simple(&request->scene))
-    return o->ended.approach >= po_observe_rigid_end(&request->scene, 0.0);
-  return po_stopping_is_complete(stopping, load);
+  if (o->rigid && !po_scene_is_simple(scene))
+    return o->ended.approach >= po_observe_rigid_end(scene, 0.0);
+  return po_stopping_is_complete(&reader->stopping, load);
 }
 
-/* Given: the path of the branch; the greatest errors of its special points; the state of the
- * stopping rule at its end; a result with special points, pull-off and the cause of the end of the
- * trace. Returned: in the result, the preload of the pull-off, the greatest pull-off of all
- * preloads, and the staircases with their errors if they are wanted. Status: PO_NO_MEMORY. */
-static po_status read_pressed(const po_request *request, const po_path *path,
-                              const po_estimate *greatest, const po_stopping *stopping,
-                              po_result *o) {
+/* The preload of the pull-off, the greatest pull-off of all preloads, and the staircases with their
+ * errors if they are wanted. Status: PO_NO_MEMORY. */
+static po_status read_pressed(const po_reader *reader, const po_path *path) {
+  const po_request *request = reader->request;
+  po_result *o = reader->result;
   const po_staircase *s = &o->staircase.of[0];
   o->has_staircases = request->want & PO_WANT_PRELOAD;
   const po_status status =
@@ -168,10 +167,10 @@ static po_status read_pressed(const po_request *request, const po_path *path,
   if (status)
     return status;
   for (int k = 0; k < PO_TESTS; ++k)
-    state_errors(request, o, greatest, &o->staircase.of[k]);
+    state_errors(request, o, &reader->special.greatest, &o->staircase.of[k]);
   read_pull_off(s, pull_off_position(o), o);
   read_any(s, o);
-  o->pull_off_any.complete = o->pull_off_any.is_known && is_complete(request, path, stopping, o);
+  o->pull_off_any.complete = o->pull_off_any.is_known && is_complete(reader, path);
   return PO_OK;
 }
 
@@ -246,11 +245,11 @@ static po_status read_hysteresis(const po_reader *reader, const po_path *path) {
   return status;
 }
 
-po_status po_test_results(const po_reader *reader, const po_path *path, double *begin) {
+po_status po_test_results(const po_reader *reader, double *begin) {
   const po_request *request = reader->request;
-  po_status status =
-      read_pressed(request, path, &reader->special.greatest, &reader->stopping, reader->result);
-  if (!status && !begins_late(request, path, begin) && (request->want & PO_WANT_HYSTERESIS))
-    status = read_hysteresis(reader, path);
+  const po_path path = {reader->points.path, reader->points.count};
+  po_status status = read_pressed(reader, &path);
+  if (!status && !begins_late(request, &path, begin) && (request->want & PO_WANT_HYSTERESIS))
+    status = read_hysteresis(reader, &path);
   return status;
 }

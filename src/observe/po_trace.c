@@ -211,9 +211,8 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
         request->preload.load * po_scene_load_unit(&request->scene));
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
-  const po_path path = {reader.points.path, reader.points.count};
   if (!status)
-    status = po_test_results(&reader, &path, &a->begin);
+    status = po_test_results(&reader, &a->begin);
 done:
   a->unmet_folds = reader.special.unmet_folds;
   po_reader_end(&reader);

@@ -167,10 +167,9 @@ static po_status follow(const po_path *path, po_control control, po_preload prel
                     .energy_lost_error = NAN,
                     .work_error = NAN,
                     .energy_error = NAN};
-  loop_state f = {.path = path, .control = control, .preload = preload, .loop = loop};
   po_curve_point *points = NULL;
   po_path held = *path;
-  f.path = &held;
+  loop_state f = {.path = &held, .control = control, .preload = preload, .loop = loop};
   po_status status =
       path->count < 2 ? po_fail(PO_NOT_FOUND, "the curve has fewer than two points") : PO_OK;
   if (!status)
