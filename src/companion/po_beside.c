@@ -8,7 +8,6 @@
 #include "po_elementary.h"
 #include "po_estimates.h"
 #include "po_guduru.h"
-#include "po_jkr_path.h"
 #include "po_jkr_profile.h"
 #include "po_maugis.h"
 #include "po_memory.h"

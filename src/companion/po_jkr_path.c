@@ -1,4 +1,4 @@
-#include "po_jkr_path.h"
+#include "po_companion_jkr.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -8,9 +8,11 @@
 #include "po_guduru.h"
 #include "po_initial_gap.h"
 #include "po_jkr_profile.h"
+#include "po_loop.h"
 #include "po_memory.h"
 #include "po_quadrature.h"
 #include "po_root.h"
+#include "po_staircase.h"
 #include "po_watch.h"
 
 /* PATH_POINTS_PER_WAVE: points of the curve in a wavelength. RULE: points of the Gauss rule for the

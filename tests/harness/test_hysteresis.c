@@ -3,10 +3,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "po_companion_jkr.h"
 #include "po_guduru.h"
-#include "po_jkr_path.h"
 #include "po_jkr_profile.h"
 #include "po_observe.h"
+#include "po_staircase.h"
 #include "run.h"
 
 /* The preload of the smooth sphere. */
