@@ -35,7 +35,7 @@ static po_status dmt(const po_request *r, double *force) {
 
 static po_status jkr(const po_request *r, double *force) {
   po_contact least;
-  const po_status status = po_jkr_profile_pull_off(&r->scene, PO_GIVEN_LOAD, &least);
+  const po_status status = po_jkr_profile_pull_off(&r->scene, PO_FIXED_LOAD, &least);
   *force = -least.load;
   return status;
 }
@@ -43,7 +43,7 @@ static po_status jkr(const po_request *r, double *force) {
 static po_status maugis(const po_request *r, double *force) {
   const double tension = po_maugis_matched_tension(&r->scene);
   po_maugis state;
-  po_status status = po_maugis_pull_off(&r->scene, tension, PO_GIVEN_LOAD, true, &state);
+  po_status status = po_maugis_pull_off(&r->scene, tension, PO_FIXED_LOAD, true, &state);
   if (!status)
     status = po_maugis_check(&r->scene, tension, &state);
   *force = -state.contact.load;

@@ -34,7 +34,7 @@ static const double SAME = 1e-9;
 typedef struct {
   const po_scene *scene;
   po_contact (*at)(const po_scene *scene, double a);
-  double (*rate)(const po_scene *scene, po_given given, double a); /* dW/da, dDelta/da */
+  double (*rate)(const po_scene *scene, po_fixed fixed, double a); /* dW/da, dDelta/da */
   double first;     /* contact radius of the first point */
   double size;      /* about the contact radius at pull-off */
   double wave;      /* the shortest wavelength, or the size if that is less */
@@ -66,7 +66,7 @@ static po_status curve_of(const po_scene *scene, jkr_curve *c, po_contact *least
   c->rate = po_jkr_profile_rate;
   c->most = MOST_POINTS;
   c->first = PO_GUDURU_FIRST * po_jkr_profile_first(scene);
-  const po_status status = po_jkr_profile_pull_off(scene, PO_GIVEN_LOAD, least);
+  const po_status status = po_jkr_profile_pull_off(scene, PO_FIXED_LOAD, least);
   c->size = c->wave = least->contact_radius;
   for (size_t k = 0; k < po_scene_waves(scene); ++k) {
     c->wave = fmin(c->wave, po_scene_wave(scene, k).length);
@@ -85,12 +85,12 @@ typedef struct {
 
 static double approach_rate(double a, const void *data) {
   const jkr_curve *c = data;
-  return c->rate(c->scene, PO_GIVEN_APPROACH, a);
+  return c->rate(c->scene, PO_FIXED_APPROACH, a);
 }
 
 static double load_rate(double a, const void *data) {
   const jkr_curve *c = data;
-  return c->rate(c->scene, PO_GIVEN_LOAD, a);
+  return c->rate(c->scene, PO_FIXED_LOAD, a);
 }
 
 /* Beyond a kink b load and approach are smooth in sqrt(a^2 - b^2): the position is b plus this. */

@@ -61,9 +61,9 @@ static void note(po_form_values *v, po_status status) {
 static void jkr_of_profile(const po_form_input *in, po_form_values *v) {
   po_contact least = NO_CONTACT, last = NO_CONTACT;
   double gap = NAN, radius;
-  note(v, po_jkr_profile_pull_off(&in->scene, PO_GIVEN_LOAD, &least));
+  note(v, po_jkr_profile_pull_off(&in->scene, PO_FIXED_LOAD, &least));
   if (!v->status)
-    note(v, po_jkr_profile_pull_off(&in->scene, PO_GIVEN_APPROACH, &last));
+    note(v, po_jkr_profile_pull_off(&in->scene, PO_FIXED_APPROACH, &last));
   if (!v->status)
     note(v, po_jkr_profile_check(&in->scene, least.contact_radius, &gap, &radius));
   put_pull_off_contact(v, least);
@@ -79,8 +79,8 @@ static void jkr_of_profile_along(const po_form_input *in, po_form_values *v) {
     note(v, po_jkr_profile_check(&in->scene, in->at, &gap, &radius));
   put_contact(v, HERE, here);
   put(v, PO_FORM_PURE, "energy", energy);
-  put(v, PO_FORM_PURE, "load_rate", po_jkr_profile_rate(&in->scene, PO_GIVEN_LOAD, in->at));
-  put(v, PO_FORM_PURE, "approach_rate", po_jkr_profile_rate(&in->scene, PO_GIVEN_APPROACH, in->at));
+  put(v, PO_FORM_PURE, "load_rate", po_jkr_profile_rate(&in->scene, PO_FIXED_LOAD, in->at));
+  put(v, PO_FORM_PURE, "approach_rate", po_jkr_profile_rate(&in->scene, PO_FIXED_APPROACH, in->at));
   put(v, PO_FORM_LENGTH, "least_gap", gap);
   for (size_t k = v->count - 3; k < v->count - 1; ++k)
     v->items[k].may_be_infinite = in->at == 0.0; /* the curve begins with a vertical tangent */
@@ -90,20 +90,20 @@ static double tension_of(const po_form_input *in) {
   return in->tension > 0.0 ? in->tension : po_maugis_matched_tension(&in->scene);
 }
 
-static void solve_pull_off(const po_form_input *in, po_given given, po_form_values *v,
+static void solve_pull_off(const po_form_input *in, po_fixed fixed, po_form_values *v,
                            po_maugis *state) {
   const double tension = tension_of(in);
   *state = (po_maugis){NO_CONTACT, NAN};
   if (!v->status)
-    note(v, po_maugis_pull_off(&in->scene, tension, given, false, state));
+    note(v, po_maugis_pull_off(&in->scene, tension, fixed, false, state));
   if (!v->status)
     note(v, po_maugis_check(&in->scene, tension, state));
 }
 
 static void maugis(const po_form_input *in, po_form_values *v) {
   po_maugis least, last;
-  solve_pull_off(in, PO_GIVEN_LOAD, v, &least);
-  solve_pull_off(in, PO_GIVEN_APPROACH, v, &last);
+  solve_pull_off(in, PO_FIXED_LOAD, v, &least);
+  solve_pull_off(in, PO_FIXED_APPROACH, v, &last);
   put(v, PO_FORM_TENSION, "tension", tension_of(in));
   put_pull_off_contact(v, least.contact);
   put(v, PO_FORM_LENGTH, "pull_off_end_of_tension", least.end);

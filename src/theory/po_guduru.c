@@ -70,12 +70,12 @@ static double rate(double a, const void *data) {
          1.5 * t->adhesion * sqrt(a);
 }
 
-double po_guduru_rate(const po_scene *scene, po_given given, double contact_radius) {
+double po_guduru_rate(const po_scene *scene, po_fixed fixed, double contact_radius) {
   if (!is_inside(scene, contact_radius))
     return NAN;
   const coefficients t = coefficients_of(scene);
   const double a = contact_radius;
-  if (given == PO_GIVEN_LOAD)
+  if (fixed == PO_FIXED_LOAD)
     return rate(a, &t);
   const wave_terms s = waves_at(&t, a); /* H0' = 2/pi - H1 */
   return 2.0 * a / scene->radius +

@@ -19,10 +19,10 @@ extern const double PO_GUDURU_FIRST;
 po_contact po_guduru_at(const po_scene *scene, double contact_radius);
 
 /* The derivatives of Eq 5 by the contact radius, which vanish at the extrema of a test: for
- * PO_GIVEN_LOAD dW/da, W in pi w R, in 1/eps (dP/da = 2 E* a dDelta/da for the contact without
- * adhesion); for PO_GIVEN_APPROACH dDelta/da, both in eps, -INFINITY at a = 0. NaN outside the
+ * PO_FIXED_LOAD dW/da, W in pi w R, in 1/eps (dP/da = 2 E* a dDelta/da for the contact without
+ * adhesion); for PO_FIXED_APPROACH dDelta/da, both in eps, -INFINITY at a = 0. NaN outside the
  * domain of po_guduru_at. */
-double po_guduru_rate(const po_scene *scene, po_given given, double contact_radius);
+double po_guduru_rate(const po_scene *scene, po_fixed fixed, double contact_radius);
 
 /* Finds the largest contact radius, in eps, at which the load of Eq 5 has a minimum that is not
  * above `load`, with the adhesive part multiplied by 1 + excess. Given: load < 0. Returned: 0 if

@@ -14,7 +14,7 @@ typedef struct {
 } po_contact;
 
 /* What is held fixed in a test: the load or the approach. */
-typedef enum { PO_GIVEN_LOAD, PO_GIVEN_APPROACH } po_given;
+typedef enum { PO_FIXED_LOAD, PO_FIXED_APPROACH } po_fixed;
 
 /* The equilibrium of Eq 7 and Eq 8 at a contact radius. Given: tabor > 0 and radius of the scene;
  * contact_radius/eps >= 0. Returned: NaN in all members outside the domain. Accuracy: 4 ulp of the

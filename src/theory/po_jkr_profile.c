@@ -12,7 +12,7 @@ static const po_contact NONE = {NAN, NAN, NAN};
 /* A curve and its bounds. */
 typedef struct {
   const po_scene *scene;
-  po_given given;
+  po_fixed fixed;
   double coupling;
   double adhesion; /* factor of the adhesive part; 1 in equilibrium */
   double fall;     /* po_abel_fall */
@@ -22,8 +22,8 @@ static bool is_inside(const po_scene *scene, double a) {
   return scene->tabor > 0.0 && scene->radius > 0.0 && a >= 0.0;
 }
 
-static curve curve_of(const po_scene *scene, po_given given) {
-  return (curve){scene, given, po_scene_coupling(scene), 1.0, po_abel_fall(scene)};
+static curve curve_of(const po_scene *scene, po_fixed fixed) {
+  return (curve){scene, fixed, po_scene_coupling(scene), 1.0, po_abel_fall(scene)};
 }
 
 /* sqrt(2 pi w a/E*), the part of the adhesion in the approach. */
@@ -38,14 +38,14 @@ static double load_of(const curve *c, double press, double a) {
 }
 
 static double value_of(const curve *c, po_abel t, double a) {
-  return c->given == PO_GIVEN_LOAD ? load_of(c, t.press, a)
+  return c->fixed == PO_FIXED_LOAD ? load_of(c, t.press, a)
                                    : t.g - c->adhesion * pull_in(c->coupling, a);
 }
 
 /* dDelta/da = g' - sqrt(pi c/(2a)); dW/da = 2a/(pi R c) (g' - 3 sqrt(pi c/(2a))) */
 static double rate_of(const curve *c, double rate, double a) {
   const double adhesion = c->adhesion * sqrt(0.5 * M_PI * c->coupling / a);
-  return c->given == PO_GIVEN_LOAD
+  return c->fixed == PO_FIXED_LOAD
              ? 2.0 * a / (M_PI * c->scene->radius * c->coupling) * (rate - 3.0 * adhesion)
              : rate - adhesion;
 }
@@ -65,7 +65,7 @@ static double rate_at(double a, const void *data) {
 static double bound_of(const curve *c, double at, double low, double a) {
   po_abel t = po_abel_of_profile(c->scene, at);
   const double fall = c->fall * (a - at);
-  if (c->given == PO_GIVEN_LOAD)
+  if (c->fixed == PO_FIXED_LOAD)
     t.press += po_abel_waves_least(c->scene, low, a).press - 0.5 * fall * (a + at);
   else
     t.g += po_abel_waves_least(c->scene, low, a).g - fall;
@@ -87,15 +87,15 @@ static double slowest(const curve *c, double low, double high) {
 po_contact po_jkr_profile_at(const po_scene *scene, double contact_radius) {
   if (!is_inside(scene, contact_radius))
     return NONE;
-  const curve c = curve_of(scene, PO_GIVEN_LOAD);
+  const curve c = curve_of(scene, PO_FIXED_LOAD);
   const po_abel t = po_abel_at(scene, contact_radius);
   return (po_contact){.load = load_of(&c, t.press, contact_radius),
                       .approach = t.g - pull_in(c.coupling, contact_radius),
                       .contact_radius = contact_radius};
 }
 
-double po_jkr_profile_rate(const po_scene *scene, po_given given, double contact_radius) {
-  const curve c = curve_of(scene, given);
+double po_jkr_profile_rate(const po_scene *scene, po_fixed fixed, double contact_radius) {
+  const curve c = curve_of(scene, fixed);
   return is_inside(scene, contact_radius) ? rate_at(contact_radius, &c) : NAN;
 }
 
@@ -250,8 +250,8 @@ static po_status find_minimum(const curve *c, bool last, double most, double *a)
   return s.found ? PO_OK : po_fail(PO_NOT_FOUND, "the curve has no minimum");
 }
 
-po_status po_jkr_profile_pull_off(const po_scene *scene, po_given given, po_contact *least) {
-  const curve c = curve_of(scene, given);
+po_status po_jkr_profile_pull_off(const po_scene *scene, po_fixed fixed, po_contact *least) {
+  const curve c = curve_of(scene, fixed);
   double a;
   const po_status status = find_minimum(&c, false, INFINITY, &a);
   *least = status ? NONE : po_jkr_profile_at(scene, a);
@@ -259,7 +259,7 @@ po_status po_jkr_profile_pull_off(const po_scene *scene, po_given given, po_cont
 }
 
 double po_jkr_profile_last_minimum(const po_scene *scene, double load, double excess) {
-  curve c = curve_of(scene, PO_GIVEN_LOAD);
+  curve c = curve_of(scene, PO_FIXED_LOAD);
   double a;
   c.adhesion = 1.0 + excess;
   if (!(load < 0.0))
@@ -316,7 +316,7 @@ po_status po_jkr_profile_check(const po_scene *scene, double contact_radius, dou
   *radius = a;
   if (!is_inside(scene, a) || a == 0.0)
     return PO_OK;
-  const curve c = curve_of(scene, PO_GIVEN_APPROACH);
+  const curve c = curve_of(scene, PO_FIXED_APPROACH);
   const double approach = po_jkr_profile_at(scene, a).approach;
   const double profile = po_abel_of_profile(scene, a).g + c.fall * a;
   /* The deflection outside is at least -greatest a/r, as g is not above approach + greatest inside:

@@ -18,7 +18,7 @@ po_contact po_jkr_profile_at(const po_scene *scene, double contact_radius);
 
 /* The derivatives by the contact radius: dW/da in pi w R/eps, and dDelta/da. The equilibrium is
  * stable at given load, or at given approach, where it is > 0. */
-double po_jkr_profile_rate(const po_scene *scene, po_given given, double contact_radius);
+double po_jkr_profile_rate(const po_scene *scene, po_fixed fixed, double contact_radius);
 
 /* The energy U/(pi w R eps), zero for separated bodies; dU = W dDelta along the curve. Status:
  * PO_NO_MEMORY. Accuracy: 1e-12 of the largest term. */
@@ -29,7 +29,7 @@ po_status po_jkr_profile_energy(const po_scene *scene, double contact_radius, do
  * for tabor 0, a profile that grows as the square root of the radius or slower, or numbers beyond
  * the range of doubles; PO_TOO_MANY_POINTS. Accuracy: 1e-13 of the largest term and of the contact
  * radius, measured on every row of reference/jkr_profiles.csv. */
-po_status po_jkr_profile_pull_off(const po_scene *scene, po_given given, po_contact *least);
+po_status po_jkr_profile_pull_off(const po_scene *scene, po_fixed fixed, po_contact *least);
 
 /* The largest contact radius, eps, at which the load has a minimum that is not above `load` < 0,
  * with the adhesive part multiplied by 1 + excess. Returned: 0 if there is none; NaN if it cannot

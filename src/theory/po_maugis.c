@@ -167,7 +167,7 @@ static double rate_by_cosine(double x, po_abel t, const void *data) {
 }
 
 /* By the implicit function of the gap: along the curve dc/da = -gap_a/gap_c. */
-double po_maugis_rate(const po_scene *scene, double tension, po_given given, const po_maugis *state,
+double po_maugis_rate(const po_scene *scene, double tension, po_fixed fixed, const po_maugis *state,
                       double *end_rate) {
   const double a = state->contact.contact_radius, c = state->end;
   const ring m = ring_of(scene, tension, a);
@@ -178,7 +178,7 @@ double po_maugis_rate(const po_scene *scene, double tension, po_given given, con
   const double gap_a = -l.angle * approach_a;
   const double gap_c = slope + pull * (a / c + c * l.angle / l.s - 1.0);
   *end_rate = -gap_a / gap_c;
-  if (given == PO_GIVEN_APPROACH)
+  if (fixed == PO_FIXED_APPROACH)
     return approach_a + approach_c * *end_rate;
   const double load_a = 2.0 * a / m.coupling * (m.at.rate + pull * a / l.s),
                load_c = -4.0 * tension * c * (a / l.s + l.angle);
@@ -189,12 +189,12 @@ double po_maugis_rate(const po_scene *scene, double tension, po_given given, con
 typedef struct {
   const po_scene *scene;
   double tension;
-  po_given given;
+  po_fixed fixed;
   guess last;
 } search;
 
 static double value_of(const search *s, const po_maugis *state) {
-  return s->given == PO_GIVEN_LOAD ? state->contact.load : state->contact.approach;
+  return s->fixed == PO_FIXED_LOAD ? state->contact.load : state->contact.approach;
 }
 
 static double rate_at(double a, const void *data) {
@@ -203,7 +203,7 @@ static double rate_at(double a, const void *data) {
   double end_rate;
   if (solve(s->scene, s->tension, a, &s->last, &state))
     return NAN;
-  return po_maugis_rate(s->scene, s->tension, s->given, &state, &end_rate);
+  return po_maugis_rate(s->scene, s->tension, s->fixed, &state, &end_rate);
 }
 
 /* Steps of the contact radius relative to it, and to a wave; the first one relative to the width of
@@ -225,7 +225,7 @@ static bool is_beyond(const search *s, const po_maugis *state) {
       (isfinite(end) && a < 2.0 * end))
     return false;
   const po_abel all = po_abel_at(scene, a), profile = po_abel_of_profile(scene, a);
-  if (s->given == PO_GIVEN_APPROACH)
+  if (s->fixed == PO_FIXED_APPROACH)
     return state->contact.approach - all.g + profile.g + po_abel_waves_least(scene, 0.0, a).g > 0.0;
   const double waves = po_abel_waves_least(scene, 0.0, a).press + profile.press - all.press;
   return state->contact.load + 2.0 * waves / (po_scene_coupling(scene) * M_PI * scene->radius) >
@@ -251,7 +251,7 @@ static po_status take(search *s, double a, po_maugis *least) {
 static po_status rate_beyond(search *s, double a, po_maugis *state, double *rate) {
   const po_status status = solve(s->scene, s->tension, a, &s->last, state);
   if (!status) {
-    *rate = po_maugis_rate(s->scene, s->tension, s->given, state, &s->last.slope);
+    *rate = po_maugis_rate(s->scene, s->tension, s->fixed, state, &s->last.slope);
     s->last.slope -= 1.0;
     s->last.radius = a;
     s->last.width = state->end - a;
@@ -259,9 +259,9 @@ static po_status rate_beyond(search *s, double a, po_maugis *state, double *rate
   return status;
 }
 
-po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given given, bool predict,
+po_status po_maugis_pull_off(const po_scene *scene, double tension, po_fixed fixed, bool predict,
                              po_maugis *state) {
-  search s = {scene, tension, given, NO_GUESS};
+  search s = {scene, tension, fixed, NO_GUESS};
   double work = 0.0;
   s.last.predicts = predict;
   s.last.work = predict ? &work : NULL;

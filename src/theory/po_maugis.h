@@ -32,7 +32,7 @@ po_status po_maugis_at(const po_scene *scene, double tension, double contact_rad
 
 /* The derivative of load (pi w R/eps) or approach by the contact radius along the curve. Returned:
  * also that of the end of the tension. */
-double po_maugis_rate(const po_scene *scene, double tension, po_given given, const po_maugis *state,
+double po_maugis_rate(const po_scene *scene, double tension, po_fixed fixed, const po_maugis *state,
                       double *end_rate);
 
 /* The pull-off: the lowest of all minima of the load, or of the approach, over the contact radius;
@@ -40,7 +40,7 @@ double po_maugis_rate(const po_scene *scene, double tension, po_given given, con
  * the end of the tension from one contact radius to the next, which takes a quarter of the time.
  * The result may then differ in its last bits; documents of `pulloff theory` have the bits without
  * prediction. Status: as above; PO_TOO_MANY_POINTS if the contact has too many waves. */
-po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given given, bool predict,
+po_status po_maugis_pull_off(const po_scene *scene, double tension, po_fixed fixed, bool predict,
                              po_maugis *state);
 
 /* Whether the state is what the theory assumes: inside the contact no tension above q, between a

@@ -148,7 +148,7 @@ START_TEST(staircases_of_two_waves) {
   ck_assert(po_scene_set_waves(&scene, _i ? "4@20;1e-13@6" : "4@20;0.1@6"));
   ck_assert_int_eq(po_jkr_staircases(&scene, NAN, &two), PO_OK);
   po_contact least;
-  ck_assert_int_eq(po_jkr_profile_pull_off(&scene, PO_GIVEN_LOAD, &least), PO_OK);
+  ck_assert_int_eq(po_jkr_profile_pull_off(&scene, PO_FIXED_LOAD, &least), PO_OK);
   for (int c = 0; c < 2; ++c) {
     const po_step *greatest = po_staircase_greatest(&two.of[c]);
     ck_assert_ptr_nonnull(greatest);

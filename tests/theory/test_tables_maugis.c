@@ -28,9 +28,9 @@ START_TEST(maugis_agrees_with_the_table) {
     double end_rate;
     ck_assert(po_maugis_at(&s, tension, a - h, &before) == PO_OK);
     ck_assert(po_maugis_at(&s, tension, a + h, &after) == PO_OK);
-    compare("load rate", &s, a, po_maugis_rate(&s, tension, PO_GIVEN_LOAD, &got, &end_rate),
+    compare("load rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_LOAD, &got, &end_rate),
             (after.contact.load - before.contact.load) / (2.0 * h), 1e-5 * size.load / a);
-    compare("approach rate", &s, a, po_maugis_rate(&s, tension, PO_GIVEN_APPROACH, &got, &end_rate),
+    compare("approach rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_APPROACH, &got, &end_rate),
             (after.contact.approach - before.contact.approach) / (2.0 * h),
             1e-5 * size.approach / a);
     compare("rate of the end", &s, a, end_rate, (after.end - before.end) / (2.0 * h),
@@ -51,7 +51,7 @@ START_TEST(maugis_pull_off_of_the_sphere) {
   for (int k = 0; k < 6; ++k) {
     const double tension = 0.5 * LAMBDAS[k] / cbrt(s.radius / (M_PI * stiffness * stiffness));
     po_maugis got;
-    ck_assert_msg(po_maugis_pull_off(&s, tension, PO_GIVEN_LOAD, true, &got) == PO_OK, "%s",
+    ck_assert_msg(po_maugis_pull_off(&s, tension, PO_FIXED_LOAD, true, &got) == PO_OK, "%s",
                   po_message());
     compare("pull-off", &s, tension, -got.contact.load, EXPECTED_FORCE[k], 1e-9);
     ck_assert(po_maugis_check(&s, tension, &got) == PO_OK);
@@ -62,21 +62,21 @@ END_TEST
 /* The pull-off tends to that of JKR as tension^-2, for every profile and under either control. */
 START_TEST(maugis_tends_to_jkr) {
   for (int p = 0; p < PROFILE_COUNT; ++p)
-    for (po_given given = PO_GIVEN_LOAD; given <= PO_GIVEN_APPROACH; ++given) {
+    for (po_fixed fixed = PO_FIXED_LOAD; fixed <= PO_FIXED_APPROACH; ++fixed) {
       const po_scene s = scene_of_words(PROFILES[p], "-", 3.0);
       po_contact jkr;
-      ck_assert(po_jkr_profile_pull_off(&s, given, &jkr) == PO_OK);
+      ck_assert(po_jkr_profile_pull_off(&s, fixed, &jkr) == PO_OK);
       double far[2];
       for (int k = 0; k < 2; ++k) {
         po_maugis got;
         const double tension = k ? 400.0 : 200.0;
-        ck_assert_msg(po_maugis_pull_off(&s, tension, given, false, &got) == PO_OK, "%s",
+        ck_assert_msg(po_maugis_pull_off(&s, tension, fixed, false, &got) == PO_OK, "%s",
                       po_message());
-        far[k] = given == PO_GIVEN_LOAD ? got.contact.load - jkr.load
+        far[k] = fixed == PO_FIXED_LOAD ? got.contact.load - jkr.load
                                         : got.contact.approach - jkr.approach;
       }
-      ck_assert_msg(fabs(far[0] / far[1] - 4.0) < 0.15, "%s, given %d: %g and %g of %g",
-                    PROFILES[p], given, far[0], far[1], jkr.load);
+      ck_assert_msg(fabs(far[0] / far[1] - 4.0) < 0.15, "%s, fixed %d: %g and %g of %g",
+                    PROFILES[p], fixed, far[0], far[1], jkr.load);
     }
 }
 END_TEST

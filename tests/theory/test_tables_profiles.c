@@ -21,8 +21,8 @@ START_TEST(jkr_agrees_with_the_table) {
     const bool is_point = strcmp(kind, "point") == 0;
     po_contact got = po_jkr_profile_at(&s, a);
     if (!is_point) {
-      const po_given given = strcmp(kind, "pull_off_load") == 0 ? PO_GIVEN_LOAD : PO_GIVEN_APPROACH;
-      ck_assert_msg(po_jkr_profile_pull_off(&s, given, &got) == PO_OK, "%s", po_message());
+      const po_fixed fixed = strcmp(kind, "pull_off_load") == 0 ? PO_FIXED_LOAD : PO_FIXED_APPROACH;
+      ck_assert_msg(po_jkr_profile_pull_off(&s, fixed, &got) == PO_OK, "%s", po_message());
     }
     const po_contact size = terms_at(&s, a);
     const double accuracy = is_point ? JKR_ACCURACY : PULL_OFF_ACCURACY;
@@ -141,9 +141,9 @@ START_TEST(table_of_a_sphere_gives_its_theory) {
     sphere.tabor = po_scene_tabor_of_coupling(0.3, sphere.radius);
   }
   po_contact got, expected;
-  for (po_given given = PO_GIVEN_LOAD; given <= PO_GIVEN_APPROACH; ++given) {
-    ck_assert(po_jkr_profile_pull_off(&s, given, &got) == PO_OK);
-    ck_assert(po_jkr_profile_pull_off(&sphere, given, &expected) == PO_OK);
+  for (po_fixed fixed = PO_FIXED_LOAD; fixed <= PO_FIXED_APPROACH; ++fixed) {
+    ck_assert(po_jkr_profile_pull_off(&s, fixed, &got) == PO_OK);
+    ck_assert(po_jkr_profile_pull_off(&sphere, fixed, &expected) == PO_OK);
     compare("load", &s, expected.contact_radius, got.load / sphere.radius, expected.load, 1e-12);
     compare("approach", &s, expected.contact_radius, got.approach, expected.approach, 1e-12);
     compare("contact radius", &s, expected.contact_radius, got.contact_radius,
@@ -165,7 +165,7 @@ START_TEST(jkr_of_the_paper_is_a_case) {
                             .outer_radius = INFINITY};
         const po_contact eq_5 = po_guduru_pull_off(&s);
         po_contact got;
-        ck_assert_msg(po_jkr_profile_pull_off(&s, PO_GIVEN_LOAD, &got) == PO_OK, "%s",
+        ck_assert_msg(po_jkr_profile_pull_off(&s, PO_FIXED_LOAD, &got) == PO_OK, "%s",
                       po_message());
         compare("pull-off", &s, eq_5.contact_radius, got.load, eq_5.load, -1e-13 * eq_5.load);
         const double a = 1.7 * eq_5.contact_radius;
@@ -173,10 +173,10 @@ START_TEST(jkr_of_the_paper_is_a_case) {
                          size = terms_at(&s, a);
         compare("load", &s, a, here.load, expected.load, 1e-13 * size.load);
         compare("approach", &s, a, here.approach, expected.approach, 1e-13 * size.approach);
-        compare("load rate", &s, a, po_jkr_profile_rate(&s, PO_GIVEN_LOAD, a),
-                po_guduru_rate(&s, PO_GIVEN_LOAD, a), 1e-11 * size.load / a);
-        compare("approach rate", &s, a, po_jkr_profile_rate(&s, PO_GIVEN_APPROACH, a),
-                po_guduru_rate(&s, PO_GIVEN_APPROACH, a), 1e-11 * size.approach / a);
+        compare("load rate", &s, a, po_jkr_profile_rate(&s, PO_FIXED_LOAD, a),
+                po_guduru_rate(&s, PO_FIXED_LOAD, a), 1e-11 * size.load / a);
+        compare("approach rate", &s, a, po_jkr_profile_rate(&s, PO_FIXED_APPROACH, a),
+                po_guduru_rate(&s, PO_FIXED_APPROACH, a), 1e-11 * size.approach / a);
         const double load = 0.7 * eq_5.load;
         const double last = po_guduru_last_minimum(&s, load, 0.1);
         compare("last minimum", &s, a, po_jkr_profile_last_minimum(&s, load, 0.1), last,
@@ -201,14 +201,14 @@ START_TEST(pull_off_of_powers_over_many_decades) {
         const double kappa = 0.5 * sqrt(M_PI) * n * tgamma(0.5 * n) / tgamma(0.5 * n + 0.5);
         const double slope = n * kappa * factor;
         po_contact got;
-        ck_assert_msg(po_jkr_profile_pull_off(&s, PO_GIVEN_LOAD, &got) == PO_OK, "%s",
+        ck_assert_msg(po_jkr_profile_pull_off(&s, PO_FIXED_LOAD, &got) == PO_OK, "%s",
                       po_message());
         const double a = exp(log(4.5 * M_PI * coupling / (slope * slope)) / (2.0 * n - 1.0));
         compare("contact radius", &s, a, got.contact_radius, a, 1e-12 * a);
         const double load =
             -(2.0 * n - 1.0) / (n + 1.0) * sqrt(2.0 * M_PI / coupling * a * a * a) / M_PI;
         compare("load", &s, a, got.load, load, -1e-11 * load);
-        ck_assert(po_jkr_profile_pull_off(&s, PO_GIVEN_APPROACH, &got) == PO_OK);
+        ck_assert(po_jkr_profile_pull_off(&s, PO_FIXED_APPROACH, &got) == PO_OK);
         const double last = exp(log(0.5 * M_PI * coupling / (slope * slope)) / (2.0 * n - 1.0));
         compare("last contact radius", &s, last, got.contact_radius, last, 1e-12 * last);
       }
@@ -230,7 +230,7 @@ START_TEST(energy_is_the_work_of_the_load) {
         for (int i = -1; i <= 1; ++i) {
           const double x = a + i * h;
           work += (i ? 1.0 : 4.0) * h / 3.0 * po_jkr_profile_at(&s, x).load *
-                  po_jkr_profile_rate(&s, PO_GIVEN_APPROACH, x);
+                  po_jkr_profile_rate(&s, PO_FIXED_APPROACH, x);
         }
         const po_contact size = terms_at(&s, a);
         compare("energy", &s, a, after - before, work,
@@ -277,9 +277,9 @@ START_TEST(minima_are_those_of_a_scan) {
   const po_scene s = scene_of_words("sphere", "0.4@10;0.1@3", 0.05);
   po_contact found[64], least;
   size_t count = 0, deepest = 0;
-  double before = po_jkr_profile_rate(&s, PO_GIVEN_LOAD, 1e-3);
+  double before = po_jkr_profile_rate(&s, PO_FIXED_LOAD, 1e-3);
   for (double a = 1e-3; a < 200.0; a += 1e-3) {
-    const double rate = po_jkr_profile_rate(&s, PO_GIVEN_LOAD, a);
+    const double rate = po_jkr_profile_rate(&s, PO_FIXED_LOAD, a);
     if (before < 0.0 && rate >= 0.0 && po_jkr_profile_at(&s, a).load < 0.0) {
       ck_assert_uint_lt(count, 64);
       found[count] = po_jkr_profile_at(&s, a);
@@ -296,7 +296,7 @@ START_TEST(minima_are_those_of_a_scan) {
     compare("contact radius", &s, found[k].load,
             po_jkr_profile_last_minimum(&s, found[k].load, 0.0), found[last].contact_radius, 2e-3);
   }
-  ck_assert(po_jkr_profile_pull_off(&s, PO_GIVEN_LOAD, &least) == PO_OK);
+  ck_assert(po_jkr_profile_pull_off(&s, PO_FIXED_LOAD, &least) == PO_OK);
   compare("contact radius", &s, least.load, least.contact_radius, found[deepest].contact_radius,
           2e-3);
   ck_assert_double_le(least.load, found[deepest].load);
@@ -307,7 +307,7 @@ START_TEST(unusable_profiles_are_refused) {
   po_contact c;
   po_scene s = scene_of_words("cone:0.3", "-", 0.05);
   s.tabor = 0.0;
-  ck_assert(po_jkr_profile_pull_off(&s, PO_GIVEN_LOAD, &c) == PO_BAD_INPUT);
+  ck_assert(po_jkr_profile_pull_off(&s, PO_FIXED_LOAD, &c) == PO_BAD_INPUT);
   ck_assert(isnan(po_jkr_profile_last_minimum(&s, -1.0, 0.1)));
 }
 END_TEST
@@ -318,7 +318,7 @@ START_TEST(a_sphere_beyond_the_range_of_numbers_is_refused) {
   scene.tabor = 7.3e-102;
   scene.radius = 2.5e-300;
   po_contact least;
-  ck_assert_int_eq(po_jkr_profile_pull_off(&scene, PO_GIVEN_LOAD, &least), PO_BAD_INPUT);
+  ck_assert_int_eq(po_jkr_profile_pull_off(&scene, PO_FIXED_LOAD, &least), PO_BAD_INPUT);
 }
 END_TEST
 

@@ -98,7 +98,7 @@ START_TEST(transition_agrees_with_the_table) {
     const double tension = lambda / po_maugis_parameter(s.tabor, 1.0);
     po_maugis state;
     for (int predict = 0; predict < 2; ++predict) {
-      ck_assert_int_eq(po_maugis_pull_off(&s, tension, PO_GIVEN_LOAD, predict, &state), PO_OK);
+      ck_assert_int_eq(po_maugis_pull_off(&s, tension, PO_FIXED_LOAD, predict, &state), PO_OK);
       table_compare(&t, row, "maugis", -state.contact.load, PULL_OFF_ACCURACY);
     }
   }

@@ -56,7 +56,7 @@ START_TEST(guduru_load_rate_agrees_with_finite_differences) {
     const double h = 1e-4 * fmin(a, s->wavelength);
     const double slope = (po_guduru_at(s, a + h).load - po_guduru_at(s, a - h).load) / (2.0 * h);
     const double size = fabs(po_guduru_at(s, a).load) / a + fabs(slope);
-    ck_assert_double_eq_tol(po_guduru_rate(s, PO_GIVEN_LOAD, a), slope, 1e-5 * (size + 1e-3));
+    ck_assert_double_eq_tol(po_guduru_rate(s, PO_FIXED_LOAD, a), slope, 1e-5 * (size + 1e-3));
   }
 }
 END_TEST
@@ -252,11 +252,11 @@ START_TEST(no_minimum_is_beyond_the_last) {
     return;
   }
   ck_assert_double_le(po_guduru_at(s, last).load, load);
-  ck_assert_double_lt(po_guduru_rate(s, PO_GIVEN_LOAD, last - 1e-4 * wave), 0.0);
-  ck_assert_double_gt(po_guduru_rate(s, PO_GIVEN_LOAD, last + 1e-4 * wave), 0.0);
+  ck_assert_double_lt(po_guduru_rate(s, PO_FIXED_LOAD, last - 1e-4 * wave), 0.0);
+  ck_assert_double_gt(po_guduru_rate(s, PO_FIXED_LOAD, last + 1e-4 * wave), 0.0);
   for (double a = last + 0.5 * wave; a < last + 40.0 * wave; a += wave / 64.0)
-    ck_assert(po_guduru_rate(s, PO_GIVEN_LOAD, a) > 0.0 ||
-              po_guduru_rate(s, PO_GIVEN_LOAD, a + wave / 64.0) < 0.0 ||
+    ck_assert(po_guduru_rate(s, PO_FIXED_LOAD, a) > 0.0 ||
+              po_guduru_rate(s, PO_FIXED_LOAD, a + wave / 64.0) < 0.0 ||
               po_guduru_at(s, a + wave / 128.0).load > load);
 }
 END_TEST
