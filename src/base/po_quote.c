@@ -96,7 +96,8 @@ char *po_quote(const char *value, char shown[PO_QUOTE_LENGTH]) {
       break;
     length += found ? found : 1;
   }
-  return quote(value, length, shown, PO_QUOTE_LENGTH);
+  quote(value, length, shown, PO_QUOTE_LENGTH);
+  return value[length] ? strcat(shown, PO_QUOTE_CUT) : shown;
 }
 
 static const char REPLACEMENT[] = "\xEF\xBF\xBD"; /* U+FFFD */

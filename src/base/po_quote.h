@@ -16,9 +16,12 @@ const char *po_quote_find(const char *text, size_t length);
  * complete character. Returned: shown. */
 char *po_quote_text(const char *text, char *shown, size_t size);
 
-enum { PO_QUOTE_BYTES = 80, PO_QUOTE_LENGTH = 4 * PO_QUOTE_BYTES + 1 };
+#define PO_QUOTE_CUT "..."
 
-/* As po_quote_text, for a value in a message: its first 80 bytes; "empty" for an empty string. */
+enum { PO_QUOTE_BYTES = 80, PO_QUOTE_LENGTH = 4 * PO_QUOTE_BYTES + sizeof PO_QUOTE_CUT };
+
+/* As po_quote_text, for a value in a message: its first 80 bytes, and PO_QUOTE_CUT if it is longer;
+ * "empty" for an empty string. */
 char *po_quote(const char *value, char shown[PO_QUOTE_LENGTH]);
 
 /* Returned: a copy of a text in valid UTF-8, to be freed. Each byte that is not part of a character

@@ -123,7 +123,7 @@ def test_smooth_in_a_case(data):
     assert point["uncertainty"]["force"] == pytest.approx(total["force"], rel=1e-3)
     assert point["pull_off"]["force"] == pytest.approx(found["pull_off"]["force"], rel=1e-6)
     data.case("noisy", CASE.format("", name))
-    expect(2, "*scene.profile_file is *tip.csv: expected *", "run noisy --output run")
+    expect(2, "*scene.profile_file is *: expected a CSV file *", "run noisy --output run")
 
 
 def test_inputs_agree_with_their_sensitivities():

@@ -100,7 +100,9 @@ START_TEST(quotes_are_cut_between_characters) {
   char text[PO_QUOTE_BYTES + 8], shown[PO_QUOTE_LENGTH];
   memset(text, 'x', sizeof text);
   memcpy(text + PO_QUOTE_BYTES - 1, "\303\266", 3);
-  ck_assert_uint_eq(strlen(po_quote(text, shown)), PO_QUOTE_BYTES - 1);
+  ck_assert_uint_eq(strlen(po_quote(text, shown)), PO_QUOTE_BYTES - 1 + strlen(PO_QUOTE_CUT));
+  ck_assert_str_eq(shown + PO_QUOTE_BYTES - 1, PO_QUOTE_CUT);
+  ck_assert_str_eq(po_quote(text + 1, shown), text + 1); /* of 80 bytes */
 }
 END_TEST
 
