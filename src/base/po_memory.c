@@ -45,11 +45,11 @@ void *po_allocate(size_t count, size_t size) {
   return memory ? memset(memory, 0, count * size) : NULL;
 }
 
-/* Each array follows the address of the one that was allocated before, on a cache line of its own.
- */
+/* Each array follows the address of the one that was allocated before, on a cache line of its own,
+ * which takes the place of `extra` objects. */
 void *po_arrays_reserve(po_arrays *arrays, size_t count, size_t size) {
-  const size_t before = CACHE_LINE / size + 1;
-  void **block = po_reserve(count < SIZE_MAX - before ? count + before : SIZE_MAX, size);
+  const size_t extra = CACHE_LINE / size + 1;
+  void **block = po_reserve(count < SIZE_MAX - extra ? count + extra : SIZE_MAX, size);
   if (!block) {
     arrays->ran_out = true;
     return NULL;

@@ -27,7 +27,7 @@ typedef struct {
 } po_arrays;
 
 /* As po_allocate and po_reserve, but the memory belongs to the arrays, and free() must not be
- * called. */
+ * called. Given: size, > 0. */
 void *po_arrays_allocate(po_arrays *arrays, size_t count, size_t size);
 void *po_arrays_reserve(po_arrays *arrays, size_t count, size_t size);
 

@@ -13,7 +13,7 @@ enum { PO_BLOCK_SIZE = PO_TABLE_ORDER * PO_TABLE_ORDER };
 /* y += B x, for the influence block of two panels. */
 void po_block_apply(const double *block, const double *x, double *y);
 
-/* y += A^T x. Given: rows, 12 or 16. */
+/* y += A^T x. Given: A, rows x columns; rows, 12 or 16; columns, a multiple of 4. */
 void po_block_apply_transposed(size_t rows, size_t columns, const double *a, const double *x,
                                double *y);
 

@@ -43,9 +43,9 @@ struct po_elimination {
   const po_hierarchy *hierarchy;
   const po_skeleton *skeleton;
   double value[K * K]; /* that of the skeleton, with rows of zeros */
-  size_t room;         /* cells for which there is memory, in: */
-  po_arrays cells;
-  double *matrix; /* of all cells */
+  size_t room;         /* cells for which there is memory */
+  po_arrays cells;     /* the arrays of the cells, which follow */
+  double *matrix;      /* of all cells */
   cell_state *state;
   double *border; /* 12 a panel: the transpose of I + CHANGE times the border */
   double *factor; /* 12 a panel: the factors of the matrix */

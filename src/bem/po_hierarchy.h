@@ -87,8 +87,8 @@ typedef struct {
   const double **halves;   /* 2 panels - 1: between the skeletons of the halves of a cell */
   double *weight;          /* nodes of the panels: weights on a domain of radius 1 */
   double *charge, *field;  /* cells x 12: work */
-  size_t room;             /* panels for which there is memory, in: */
-  po_arrays mesh;
+  size_t room;             /* panels for which there is memory */
+  po_arrays mesh;          /* the arrays above, from `cell` on */
   po_interactions kernel;  /* between cells, through the kernel */
   po_interactions product; /* between panels, source to target only, with the traction */
   po_status trouble;

@@ -34,7 +34,7 @@ typedef struct {
   po_panel_block axis[PO_AXIS_POSITIONS];     /* influence of the panel (0, 1) */
   po_panel_block derivative;                  /* of the polynomials l_j at the nodes; 0 at j = i */
   po_legendre legendre;
-  const struct po_skeleton *skeleton; /* po_skeleton.h */
+  const struct po_skeleton *skeleton; /* basis of the fields on cells, po_skeleton.h */
 } po_panel_table;
 
 /* Returned: the table, which the first call of any thread computes; NULL with a message if memory

@@ -32,9 +32,9 @@ typedef struct po_skeleton {
   double from_parent[2][PO_SKELETON_SIZE], to_parent[2][PO_SKELETON_SIZE];
 } po_skeleton;
 
-/* Computes the basis for the table of panels, which others take it from. Given: the rule of a
- * panel; no other thread calls this function. Returned: the basis, always the same; NULL with a
- * message if memory runs out. */
+/* Computes the basis. It is called by po_panel_table_get only, under its lock; others read
+ * `skeleton` of the table. Given: the rule of a panel. Returned: the basis, always the same; NULL
+ * with a message if memory runs out. */
 const po_skeleton *po_skeleton_make(const po_panel_rule *rule);
 
 #endif

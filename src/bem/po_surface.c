@@ -27,8 +27,9 @@ static const double LONGEST_ELEMENT = 0.5;
  * elements at the axis are 0.3 times, those at the edge three times as long as uniform ones. */
 static const double GRADING = 3.0;
 
-/* Beyond the core the bodies must be well apart (an initial gap of at least po_law_reach) up to the
- * deepest approach. Pull-off happens at contact radii below the JKR contact radius at zero load. */
+/* Beyond the core the bodies must be well apart (an initial gap of at least the reach of the law)
+ * up to the deepest approach. Pull-off happens at contact radii below the JKR contact radius at
+ * zero load. */
 double po_surface_core(const po_scene *scene, double deepest) {
   if (isfinite(scene->outer_radius))
     return scene->outer_radius;

@@ -30,11 +30,11 @@ typedef struct {
                          for a rigid surface and for panels */
   po_hierarchy *hierarchy; /* of panels: the same for a core of radius 1; NULL for others */
   po_panels *draft;        /* of panels: a mesh for the caller to make, and for po_surface_mesh */
-  bool wavy;               /* of panels: whether that to infinity represents wavelengths */
+  bool wavy;               /* of panels: whether that to infinity carries the averaged law */
   double *reach; /* n: largest modulus in each column of the influence matrix; NULL for a rigid
                     surface */
   uint64_t kernel_evaluations;
-  po_arrays arrays;
+  po_arrays arrays; /* all of these, but not the hierarchy */
 } po_surface;
 
 /* The deflection by tractions, y = G x, and the transpose, y = G^T x. Given: x, n. Returned: y, n.

@@ -1,5 +1,4 @@
-/* Axes: their values, as written or computed from a range, and the
- * evaluation of conditions. */
+/* Axes: their values, as written or computed from a range, and the evaluation of conditions. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

@@ -198,7 +198,7 @@ static po_status parse_range(po_draw *draw, const char *where, const po_yaml *ya
 }
 
 /* The value of the unit must be known when the number is drawn: the scene, the sweep or an earlier
- * item of the sample gives it. */
+ * item of the sample gives it by itself, because groups are read after the draw. */
 static po_status parse_unit(const po_case_file *file, unsigned index, const char *where,
                             const po_yaml *yaml) {
   po_draw *draw = &file->sample->keys[index];
@@ -206,9 +206,11 @@ static po_status parse_unit(const po_case_file *file, unsigned index, const char
     return PO_OK;
   draw->by_root = strcmp(draw->times, ROOT_RADIUS) == 0;
   const int unit = draw->by_root ? PO_KEY_RADIUS : po_key_of_name(draw->times);
-  bool known = unit >= 0 && is_quantity(unit) &&
-               (file->scene.values[unit] || po_keys_have(file->swept, unit));
-  for (unsigned k = 0; k < index; ++k)
+  const bool is_key = unit >= 0 && is_quantity(unit) && !po_key_is_group(unit);
+  bool known = is_key && file->scene.values[unit];
+  for (unsigned k = 0; is_key && k < file->sweep_count; ++k)
+    known = known || po_keys_have(file->sweep[k].named, unit);
+  for (unsigned k = 0; is_key && k < index; ++k)
     known = known || file->sample->keys[k].drawn == unit;
   if (!known)
     return po_fields_refuse(yaml, NULL, "%s.times", where);

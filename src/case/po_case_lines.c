@@ -80,8 +80,8 @@ static po_form_input input_of(const po_case_file *file, const po_case_line *line
   const unsigned takes = po_form_find(line->theory)->takes;
   po_request request = po_request_default();
   po_form_input input = {.alpha = (double)NAN, .at = (double)NAN};
-  for (int key = 0; key < PO_KEY_END;
-       ++key) { /* the groups, which depend on other keys, are last */
+  /* the groups, which depend on other keys, are last */
+  for (int key = 0; key < PO_KEY_END; ++key) {
     const char *text = value_of(file, line, row, key);
     if (!text)
       continue;

@@ -243,10 +243,9 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
              PO_KEYS[key].expected);
     return po_fields_refuse(yaml, expected, "scene.%s", PO_KEYS[key].name);
   }
-  if (po_keys_have(file->varied, PO_KEY_ALPHA) && !file->scene.values[PO_KEY_AMPLITUDE] &&
-      !po_keys_have(file->varied, PO_KEY_AMPLITUDE))
+  if (po_keys_have(file->varied, PO_KEY_ALPHA) && !wavy)
     return po_fields_refuse(yaml,
-                            "a number >= 0, here, in the sweep or in the sample, as alpha varies",
+                            "a number > 0, here, in the sweep or in the sample, as alpha varies",
                             "scene.amplitude");
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->sweep_count; ++i)

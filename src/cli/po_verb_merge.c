@@ -15,7 +15,8 @@ static const char HELP[] =
     "  --output DIR    folder to which the records are written (default build/run)\n"
     "  --solver M      the shards are those of the external solver with the manifest M; each DIR\n"
     "                  is then the folder solvers/NAME of a shard\n"
-    "  --knob VALUE    value of the knob of that solver (default: the last one)\n"
+    "  --knob VALUE    value of the knob of that solver (default: the last one); the shards of\n"
+    "                  several values are merged once for each value\n"
     "  -h, --help      print this text\n"
     "\n"
     "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";

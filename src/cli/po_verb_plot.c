@@ -26,11 +26,13 @@ static const char HELP[] =
     "                                   --stiffness also over the position of the base\n"
     "                      profile      gap and traction against radius at pull-off\n"
     "                      preload      the pull-off force for every preload\n"
+    "  --plot FILE       the same as FILE\n"
     "  --run DIR         folder of the records of CASE (default build/run); points without a\n"
     "                    result are solved\n"
     "  -h, --help        print this text\n"
     "\n"
-    "The options of the scene, the preload and the discretisation are those of pulloff solve.\n"
+    "The options of the scene, the preload and the discretisation are those of pulloff solve;\n"
+    "beside CASE they are refused. --json and the options of tables are refused.\n"
     "\n"
     "Example: pulloff plot --tabor 3 --amplitude 1 --wavelength 20 wavy.svg\n"
     "         pulloff plot --tabor 3 --amplitude 1 --wavelength 20 --stiffness 0.3 spring.pdf\n"
@@ -45,13 +47,15 @@ enum { RUN = PO_OPTION_ROWS }; /* the first of them */
 typedef struct {
   po_solve_line line;
   const po_options *options;
-  bool is_scene; /* an option other than --run is given */
+  bool is_scene; /* an option other than --run and --plot is given */
 } plot_line;
 
 /* Takes one option of the command line. */
 static po_status take(void *to, int option) {
   plot_line *p = to;
-  p->is_scene = p->is_scene || option != RUN;
+  const bool is_key = option < PO_OPTION_ROWS;
+  p->is_scene = p->is_scene || is_key ||
+                (option != RUN && strcmp(OPTIONS[option - PO_OPTION_ROWS].name, "plot") != 0);
   return po_options_take(p->options, &p->line, option);
 }
 
@@ -78,7 +82,7 @@ static size_t varied_values(const po_case *kase, int key) {
   bool swept = false;
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
     swept = swept || po_keys_have(kase->file->sweep[i].named, key);
-  return swept && po_key_is_continuous(key) ? count_values(kase, (po_key)key) : 0;
+  return swept && po_key_is_continuous(key) ? count_values(kase, key) : 0;
 }
 
 /* Reports whether exactly two numbers vary in a case, each with at least 8 values, in different
@@ -93,7 +97,7 @@ static bool is_map(const po_case *kase, po_key keys[2]) {
         continue;
       if (++of_item > 1 || count == 2 || varied_values(kase, key) < LEAST_VALUES)
         return false;
-      keys[count++] = (po_key)key;
+      keys[count++] = key;
     }
   }
   return count == 2;
@@ -275,10 +279,10 @@ static po_status plot_run(const po_case_run *run, const po_case *kase, const cha
   run_point *points = po_allocate(kase->point_count, sizeof *points);
   if (!points)
     return PO_NO_MEMORY;
-  const size_t count = collect(run, kase, (po_key)key, points);
+  const size_t count = collect(run, kase, key, points);
   const po_status status =
       !count ? po_fail(PO_BAD_INPUT, "no point of the case %s has a pull-off", kase->file->name)
-             : draw_run(kase, (po_key)key, points, count, file);
+             : draw_run(kase, key, points, count, file);
   free(points);
   return status;
 }
@@ -309,6 +313,8 @@ static po_status take_operands(po_solve_line *line, const po_options *options, c
     return po_fail(PO_BAD_INPUT,
                    "plot takes a case and a file that ends in .svg, .png or .pdf (see "
                    "pulloff plot --help)");
+  if (figure && line->plot)
+    return po_fail(PO_BAD_INPUT, "the figure is given twice: expected either --plot or FILE");
   if (figure)
     line->plot = operand[count - 1];
   *name = count > figure ? operand[0] : NULL;
@@ -320,9 +326,15 @@ static po_status take_operands(po_solve_line *line, const po_options *options, c
                      : line->staircase ? "staircase"
                      : line->smoothed  ? "smoothed"
                                        : NULL;
-  return idle
-             ? po_fail(PO_BAD_INPUT, "--%s has no effect on plot: expected it to be left out", idle)
-             : PO_OK;
+  if (idle)
+    return po_fail(PO_BAD_INPUT, "--%s has no effect on plot: expected it to be left out", idle);
+  for (int k = 0; k < PO_WANT_COUNT; ++k)
+    if (line->request.want & ~(unsigned)PO_PLOT_WANTS & (1u << k))
+      return po_fail(PO_BAD_INPUT,
+                     "%s is no panel of a plot: expected curve, hysteresis, profile "
+                     "or preload after --want",
+                     PO_WANTS[k]);
+  return PO_OK;
 }
 
 /* Solves the scene and plots it. */

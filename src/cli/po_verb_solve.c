@@ -108,7 +108,7 @@ static void clear(uncertain_line *u) {
 static bool may_vary(int key) {
   if (key < 0 || key >= PO_KEY_ALL)
     return false;
-  const po_key target = po_key_target((po_key)key);
+  const po_key target = po_key_target(key);
   return po_key_is_continuous(key) || key == PO_KEY_TABLE_SCALE || target == PO_KEY_PRELOAD ||
          target == PO_KEY_PRELOAD_LOAD;
 }

@@ -241,10 +241,10 @@ static void print_input(const po_request *request) {
   printf("scene   ");
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     char text[PO_KEY_TEXT_LENGTH];
-    if (!is_printed(request, (po_key)key))
+    if (!is_printed(request, key))
       continue;
     const bool coupling = key == PO_KEY_TABOR && po_input_has_coupling(request);
-    const po_key shown = coupling ? PO_KEY_COUPLING : (po_key)key;
+    const po_key shown = coupling ? PO_KEY_COUPLING : key;
     if (coupling)
       snprintf(text, sizeof text, "%.15g", po_key_number(request, shown));
     else

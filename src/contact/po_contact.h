@@ -2,9 +2,9 @@
  * and gap and traction over the radius.
  *
  * A contact edge is a radius at which the gap passes that of the greatest tension, H = 3^(1/6) - 1
- * (after Eq 9; other laws: po_law_peak_gap). Between nodes the gap is the sum of the exact initial
- * gap and the interpolated deflection: the polynomial of each panel, or linear between the nodes of
- * rings and triangles. */
+ * (after Eq 9; other laws: peak_gap of po_law_numbers). Between nodes the gap is the sum of the
+ * exact initial gap and the interpolated deflection: the polynomial of each panel, or linear
+ * between the nodes of rings and triangles. */
 #ifndef PO_CONTACT_H
 #define PO_CONTACT_H
 

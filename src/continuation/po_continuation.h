@@ -44,8 +44,8 @@ po_continuation_options po_continuation_options_default(void);
 typedef struct po_continuation po_continuation;
 
 /* Given: an equilibrium; the errors that the resolution of the panels of its surface may leave;
- * options, which are copied. Equilibrium and the data of the options must outlive the continuation.
- * Status: PO_NO_MEMORY. */
+ * options, which are copied. Equilibrium and the data of the options must outlive the continuation,
+ * which meshes a surface of panels anew along the branch. Status: PO_NO_MEMORY. */
 po_status po_continuation_create(po_equilibrium *equilibrium, po_allowance allowed,
                                  const po_continuation_options *options,
                                  po_continuation **continuation);

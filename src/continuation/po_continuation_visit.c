@@ -39,9 +39,9 @@ static bool is_judged(const po_continuation *t, const po_branch_point *point) {
   return point->kind == PO_POINT_LOAD_MIN && point->load <= t->deepest;
 }
 
-/* The slope of po_refinement at an event. Given: cosine of the angle between the direction at the
- * event and the direction of the functional by which its samples are parametrised. */
-/* By differences on the cubic of the interval. */
+/* The slope of po_refinement at an event, by differences on the cubic of the interval. Given:
+ * cosine of the angle between the direction at the event and the direction of the functional by
+ * which its samples are parametrised. */
 static double refine_slope(const po_event *ev, double cosine) {
   const po_sample *a = &ev->low, *b = &ev->high;
   const double h = b->at - a->at, x = ev->root - a->at, by = 0.01 * h;

@@ -15,7 +15,7 @@ typedef struct {
   po_resolution resolution;
   double *border, *guess; /* capacity of the surface + 1 */
   double *coordinate;     /* as many: work, coordinates of the arclength */
-  po_arrays arrays;       /* these, and the solutions of the owner, who frees them */
+  po_arrays arrays;       /* these, and the solutions of the owner */
   int direction;          /* of the trace: 1 forward, -1 reverse; 0: any orientation is accepted */
   double farthest;        /* error of a guess, relative to 1 + H, above which a solve is given up;
                              INFINITY: only if it does not converge */
@@ -24,7 +24,8 @@ typedef struct {
 } po_corrector;
 
 /* Given: equilibrium, which must outlive the corrector; the errors that the resolution of panels
- * may leave. Status: PO_NO_MEMORY. */
+ * may leave. Returned: c, whose arrays the owner frees whatever the status. Status: PO_NO_MEMORY.
+ */
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_allowance allowed);
 
 /* Adapts panels so that they resolve a field with a margin. Status: PO_OUT_OF_NODES, which is also

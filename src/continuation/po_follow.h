@@ -36,8 +36,8 @@ po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_k
 
 /* Follows the special point to a value of the parameter, in as many steps as necessary. Status:
  * PO_NOT_FOUND if the special point is lost, usually because it merges with another and both end
- * there; PO_OUT_OF_NODES; PO_OUT_OF_TIME, PO_INTERRUPTED, by the watch (po_watch.h), before every
- * step; PO_NO_MEMORY. */
+ * there; PO_OUT_OF_NODES; PO_OUT_OF_TIME and PO_INTERRUPTED if the watch of the thread
+ * (po_watch.h) says so, at which the function looks before every step; PO_NO_MEMORY. */
 po_status po_follow_to(po_follower *f, double at);
 
 /* The special point at the present value of the parameter. Its pointers are valid until the next

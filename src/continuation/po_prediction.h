@@ -27,10 +27,9 @@ typedef struct {
   size_t edge, panel_wanted;
 } po_prediction;
 
-/* Predicts at a distance along the arclength functional of a. Given: e, for its scene and the
- * radius of its domain; b, another point ahead or behind, or NULL. All contact edges move the
- * coordinates, except pairs whose strain would be too large. Returned: false if no prediction is
- * possible. */
+/* Predicts at a distance along the arclength functional of a. Given: e, for its scene; b, another
+ * point ahead or behind, or NULL. All contact edges move the coordinates, except pairs whose strain
+ * would be too large. Returned: false if no prediction is possible. */
 bool po_prediction_make(const po_equilibrium *e, const po_solution *a, const po_solution *b,
                         double distance, po_prediction *p);
 

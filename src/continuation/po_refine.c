@@ -9,7 +9,7 @@
 /* Secant steps for a special point on the finer mesh. */
 enum { MOST_SOLVES = 5 };
 
-/* On the finer mesh a panel is halved if its estimated error (po_resolution_excesses) is at least
+/* On the finer mesh a panel is halved if its estimated error (po_resolution_excess_of) is at least
  * this part of the largest of all panels. With 1e-3, the change of the value of one fold in 200 was
  * a quarter of its error, since the estimate of a panel may be small by chance. If that mesh takes
  * too many panels or nodes, the part is multiplied by COARSER until it exceeds MOST_CONTRIBUTES. */

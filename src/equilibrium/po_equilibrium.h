@@ -102,7 +102,9 @@ typedef struct {
   po_arrays arrays;            /* all but the matrices of `factors` */
 } po_equilibrium;
 
-/* Given: scene and surface, which must outlive the object. Status: PO_NO_MEMORY. */
+/* Given: scene and surface, which must outlive the object. The surface is not changed here; its
+ * owner or a continuation may mesh it anew, and then calls po_equilibrium_remesh. Status:
+ * PO_NO_MEMORY. */
 po_status po_equilibrium_create(const po_scene *scene, po_surface *surface,
                                 po_equilibrium **equilibrium);
 

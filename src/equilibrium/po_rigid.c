@@ -38,7 +38,7 @@ typedef struct {
   bool short_waves;       /* the waves are averaged from the axis on */
 } integral;
 
-/* The integrand at a gap, or at the mean of a gap over the waves. */
+/* The integrand at a gap; with `mean`, its average over the waves about that mean gap. */
 static double law_at(const integral *q, double gap, bool mean) {
   const po_law *law = &q->scene->law;
   const double amplitude = mean ? po_initial_gap_amplitude(q->scene) : 0.0;

@@ -12,7 +12,7 @@ typedef struct po_solution {
   double *deflection;      /* n: H - f, the deflection less the approach */
   double *slope;           /* n: d(deflection)/dr */
   double *node;            /* n: radii, eps */
-  double domain;           /* core radius of its surface, eps: on panels, of their domain */
+  double domain;           /* radius of the core of its surface, on panels of their domain, eps */
   po_arclength arclength;
   size_t coordinates; /* number of coordinates of the arclength */
   double share;       /* po_equilibrium.share, with which the coordinates are */

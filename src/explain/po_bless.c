@@ -109,7 +109,7 @@ static bool is_shared(const po_case *kase, const pin_list *list, po_key key,
 static void add_shared_keys(const po_case *kase, const pin_list *list, po_text *text) {
   char value[PO_KEY_TEXT_LENGTH];
   for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (is_shared(kase, list, (po_key)key, value) && strcmp(value, "-") != 0)
+    if (is_shared(kase, list, key, value) && strcmp(value, "-") != 0)
       po_text_add(text, "# %s: %s\n", PO_KEYS[key].name, value);
 }
 
@@ -118,7 +118,7 @@ static void add_rows(const po_case *kase, const pin_list *list, po_text *rows) {
   bool column[PO_KEY_COUNT];
   char value[PO_KEY_TEXT_LENGTH];
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    column[key] = !is_shared(kase, list, (po_key)key, value);
+    column[key] = !is_shared(kase, list, key, value);
     if (column[key])
       po_text_add(rows, "%s,", PO_KEYS[key].name);
   }
@@ -127,7 +127,7 @@ static void add_rows(const po_case *kase, const pin_list *list, po_text *rows) {
     const pinned *pin = &list->items[i];
     for (int key = 0; key < PO_KEY_COUNT; ++key)
       if (column[key]) {
-        po_pins_key_text(&kase->points[pin->point].request, (po_key)key, value);
+        po_pins_key_text(&kase->points[pin->point].request, key, value);
         po_text_add(rows, "%s,", value);
       }
     po_number_print(pin->value, value);

@@ -209,7 +209,8 @@ static void add_costs(const po_case_run *run, double *space, po_text *text) {
     size_t count = 0;
     for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
       const double value = cost(&run->points[i].result.work, what);
-      if (run->points[i].asked && !isnan(value)) /* the time of an external solver may be unknown */
+      /* the time of an external solver may be unknown */
+      if (run->points[i].asked && !run->points[i].beyond && !isnan(value))
         space[count++] = value;
     }
     qsort(space, count, sizeof *space, po_order_ascending);
@@ -236,7 +237,6 @@ static void add_command(const po_case_run *run, size_t point, po_text *text) {
 /* Adds the slowest solves. Each is found by a search through all points, as there are few. */
 static void add_slowest(const po_case_run *run, po_text *text) {
   double below = (double)INFINITY;
-  po_text_add(text, "slowest\n");
   for (int found = 0; found < SLOWEST;) {
     double greatest = -1;
     for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
@@ -246,6 +246,8 @@ static void add_slowest(const po_case_run *run, po_text *text) {
     }
     if (greatest < 0)
       return;
+    if (!found)
+      po_text_add(text, "slowest\n");
     for (size_t i = 0; i < run->plan->kase->point_count && found < SLOWEST; ++i)
       if (run->points[i].asked && run->points[i].result.work.seconds >= greatest &&
           run->points[i].result.work.seconds < below) {

@@ -13,11 +13,13 @@ typedef enum { PO_PROFILE_TABLE, PO_CURVE_TABLE, PO_STAIRCASE_TABLE } po_table;
 
 /* Writes a table. The branch has the columns position, approach, load, energy, contact_radius,
  * approach_rate, load_rate, unstable_modes and energy_error, with a spring unstable_modes_at_base;
- * the profile at result->profile_approach radius, gap and traction; a step of a staircase where it
- * begins and ends, and its pull-off. Tables of a request in SI units have no columns in the metric
- * of the solver, and the unit at the end of each name: approach_nm. The headers state the scene,
- * the units and the checksum of all other lines. The path "-" is standard output. Returned: digest,
- * that checksum, unless it is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+ * the profile at result->profile_approach radius, gap and traction; a step of a
+ * staircase control, from_approach, from_load, until_approach, until_load, open, force,
+ * force_error, approach, approach_error, energy_lost and energy_lost_error. Tables of a request in
+ * SI units have no columns in the metric of the solver, and the unit at the end of each name:
+ * approach_nm. The headers state the scene, the units and the checksum of all other lines. The path
+ * "-" is standard output. Returned: digest, that checksum, unless it is NULL. Status:
+ * PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_tables_write(po_table table, const char *path, const po_request *request,
                           const po_result *result, char *digest);
 
@@ -33,8 +35,9 @@ po_status po_tables_write_series(const char *path, const char *key, const double
                                  const po_request *requests, const po_result *results,
                                  size_t count);
 
-/* Reads the table of a branch or a profile into the list of the result. Status: PO_CANNOT_READ,
- * also if the checksum of the table is not `digest`; PO_NO_MEMORY. */
+/* Reads the table of a branch or a profile into the list of the result, without
+ * unstable_modes_at_base. Status: PO_CANNOT_READ, also if the checksum of the table is not
+ * `digest`; PO_NO_MEMORY. */
 po_status po_tables_read(po_table table, const char *path, const char *digest, po_result *result);
 
 #endif

@@ -229,7 +229,7 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
     set(changed,
         po_key_target(values[i].key) == values[i].key ? PO_KEY_TABOR : po_key_target(values[i].key),
         NULL);
-    status = set(changed, (int)values[i].key, values[i].value == values[i].idle ? NULL : text);
+    status = set(changed, values[i].key, values[i].value == values[i].idle ? NULL : text);
   }
   if (!status)
     status = po_library_request(changed, -1, NULL, &request);

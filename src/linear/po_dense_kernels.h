@@ -120,7 +120,7 @@ static po_status NAME(factorize)(size_t rows, size_t columns, REAL *a, size_t st
   return status ? status : left;
 }
 
-/* The pivots are then counted from 1, as LAPACK's. */
+/* As `factorize`, but pivots are counted from 1, as LAPACK's are. */
 po_status NAME(po_linear_factorize)(size_t n, REAL *a, size_t stride, int *pivots) {
   const po_status status = NAME(factorize)(n, n, a, stride, pivots);
   for (size_t k = 0; k < n; ++k)

@@ -21,8 +21,8 @@ typedef struct {
   int sign;      /* of the determinant of the product of all corrections */
 } po_secant;
 
-/* Allocates updates for vectors of length up to `capacity`. Returned: in `arrays`, also whether
- * memory ran out. */
+/* Allocates updates for vectors of length up to `capacity`. The memory belongs to `arrays`, which
+ * says whether it ran out. */
 void po_secant_allocate(po_secant *s, size_t capacity, po_arrays *arrays);
 
 /* Deletes all corrections, because M has changed. Vectors then have length n and all scales are

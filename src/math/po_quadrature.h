@@ -1,5 +1,6 @@
 /* Quadrature rules on the unit interval; among them one for an element if the logarithmic
- * singularity of the kernel lies on the element or close to it. Adaptive quadrature. */
+ * singularity of the kernel lies on the element or close to it. Adaptive quadrature on any
+ * interval. */
 #ifndef PO_QUADRATURE_H
 #define PO_QUADRATURE_H
 

@@ -43,7 +43,8 @@ typedef struct {
   band *gram, *rough, *factor, *inverse; /* size */
   double *right, *coefficient;           /* size */
   double unit;                           /* of the roughness */
-  po_arrays *arrays;                     /* those of the spline */
+  po_arrays *kept;                       /* knot and factor, which the spline takes */
+  po_arrays work;                        /* the others */
 } problem;
 
 static double knot_at(size_t knots, const double *knot, size_t k) { /* k + 3 of the clamped ones */
@@ -112,17 +113,17 @@ static void assemble(problem *p) {
 static po_status pose(size_t knots, problem *p) {
   p->knots = knots;
   p->size = knots + ORDER - 2;
-  po_arrays *const all = p->arrays;
-  p->interval = po_arrays_allocate(all, p->points, sizeof *p->interval);
-  p->knot = po_arrays_allocate(all, knots, sizeof *p->knot);
-  p->basis = po_arrays_allocate(all, p->points, sizeof *p->basis);
-  p->gram = po_arrays_allocate(all, p->size, sizeof *p->gram);
-  p->rough = po_arrays_allocate(all, p->size, sizeof *p->rough);
-  p->factor = po_arrays_allocate(all, p->size, sizeof *p->factor);
-  p->inverse = po_arrays_allocate(all, p->size, sizeof *p->inverse);
-  p->right = po_arrays_allocate(all, p->size, sizeof *p->right);
-  p->coefficient = po_arrays_allocate(all, p->size, sizeof *p->coefficient);
-  if (all->ran_out)
+  po_arrays *const kept = p->kept, *const work = &p->work;
+  p->knot = po_arrays_allocate(kept, knots, sizeof *p->knot);
+  p->factor = po_arrays_allocate(kept, p->size, sizeof *p->factor);
+  p->interval = po_arrays_allocate(work, p->points, sizeof *p->interval);
+  p->basis = po_arrays_allocate(work, p->points, sizeof *p->basis);
+  p->gram = po_arrays_allocate(work, p->size, sizeof *p->gram);
+  p->rough = po_arrays_allocate(work, p->size, sizeof *p->rough);
+  p->inverse = po_arrays_allocate(work, p->size, sizeof *p->inverse);
+  p->right = po_arrays_allocate(work, p->size, sizeof *p->right);
+  p->coefficient = po_arrays_allocate(work, p->size, sizeof *p->coefficient);
+  if (kept->ran_out || work->ran_out)
     return PO_NO_MEMORY;
   for (size_t k = 0; k < knots; ++k)
     p->knot[k] = p->x[k * (p->points - 1) / (knots - 1)];
@@ -285,15 +286,19 @@ po_status po_smoothing_make(size_t points, const double *x, const double *y, dou
   *s = (po_smoothing){0};
   const size_t most = points / 2;
   for (size_t knots = FIRST_KNOTS;; knots *= 2) {
-    problem p = {.points = points, .x = x, .y = y, .deviation = deviation, .arrays = &s->arrays};
+    problem p = {.points = points, .x = x, .y = y, .deviation = deviation, .kept = &s->arrays};
     knots = knots < most ? knots : most;
     po_arrays_free(&s->arrays);
-    const po_status status = pose(knots, &p);
-    if (status)
+    po_status status = pose(knots, &p);
+    bool more = false;
+    if (!status) {
+      const fit best = fit_best(&p);
+      more = best.parameters > MOST_USED * (double)p.size && knots < most;
+      status = more ? PO_OK : take(&p, &best, s);
+    }
+    po_arrays_free(&p.work);
+    if (!more)
       return status;
-    const fit best = fit_best(&p);
-    if (!(best.parameters > MOST_USED * (double)p.size && knots < most))
-      return take(&p, &best, s);
   }
 }
 

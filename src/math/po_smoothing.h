@@ -34,7 +34,7 @@ typedef struct {
   double parameters;    /* effective number: trace of the matrix from y to f(x) */
   double rms, greatest; /* of the removed part */
   double *factor;       /* 4 (knots + 2): bands of the factors of the matrix of both sums */
-  po_arrays arrays;     /* these, and work */
+  po_arrays arrays;     /* these */
 } po_smoothing;
 
 /* Smooths points. Given: at least PO_SMOOTHING_LEAST points, x ascending; deviation, > 0, or NAN:

@@ -197,12 +197,12 @@ static double laplace(int n, double x) {
 }
 
 /* H_n - Y_n, for large x. */
-static double integral(int n, double x) {
+static double struve_less_bessel(int n, double x) {
   return 2.0 / M_PI * laplace(n, x) / (n == 0 ? x : 1.0);
 }
 
 /* Y_n(x) at large x, with the sine and cosine of x. */
-static double bessel(int n, double x, double sine, double cosine) {
+static double bessel_y(int n, double x, double sine, double cosine) {
   const double from = SERIES_END / x, y = from * from;
   /* sqrt(2) times the sine and cosine of u */
   const double s = n == 0 ? sine - cosine : -sine - cosine;
@@ -212,7 +212,8 @@ static double bessel(int n, double x, double sine, double cosine) {
          sqrt(M_PI * x);
 }
 
-static double small(int n, double x) {
+/* H_n at x <= SERIES_END. */
+static double struve_series(int n, double x) {
   const double part = x / SERIES_END;
   return chebyshev(SERIES_TERMS, SERIES[n], part * part) * part * (n == 0 ? 1.0 : part);
 }
@@ -221,8 +222,9 @@ double po_struve(int n, double x) {
   if (!(x >= 0.0 && (n == 0 || n == 1)))
     return NAN;
   if (x <= SERIES_END)
-    return small(n, x);
-  return isinf(x) ? n * (2.0 / M_PI) : integral(n, x) + bessel(n, x, po_sin(x), po_cos(x));
+    return struve_series(n, x);
+  return isinf(x) ? n * (2.0 / M_PI)
+                  : struve_less_bessel(n, x) + bessel_y(n, x, po_sin(x), po_cos(x));
 }
 
 double po_struve_wave(int n, double distance, double wavelength) {
@@ -230,5 +232,5 @@ double po_struve_wave(int n, double distance, double wavelength) {
   if (!(x > SERIES_END && x < INFINITY))
     return po_struve(n, x);
   const double half_turns = 2.0 * (remainder(distance, wavelength) / wavelength);
-  return integral(n, x) + bessel(n, x, po_sinpi(half_turns), po_cospi(half_turns));
+  return struve_less_bessel(n, x) + bessel_y(n, x, po_sinpi(half_turns), po_cospi(half_turns));
 }

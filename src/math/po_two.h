@@ -81,7 +81,8 @@ static inline double po_two_value(po_two x) {
   return x.high + x.low;
 }
 
-/* For what is computed seldom or needs more digits than a double has. po_two_sinpi: of pi x. Given:
+/* Elementary functions, for what is computed seldom or needs more digits than a double has.
+ * po_two_sinpi: of pi x. Given:
  * |exponent| <= 700 of the exponential; x > 0 for the logarithm and the power. Accuracy: 1e-29 of
  * the result; of the exponential times 1 + |exponent|; of the power times 1 + |exponent| +
  * |logarithm of the result|; of the logarithm and the sine in the vicinity of a zero absolutely

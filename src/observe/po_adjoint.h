@@ -21,8 +21,9 @@
 /* The sensitivity of the pull-off force; its standard deviation by the noise of a smoothed table,
  * and the change of the table that belongs to it. Given: a minimum of the load; surface, on whose
  * mesh it is, not looked at for rigid bodies, whose x is dp/dH (2/R) r dr at the initial gap.
- * Returned: in the result, `sensitivity` of the pull-off, unless at a fold or off panels; and
- * `noise`, whose change is NULL without a smoothed table, or off panels. Status: PO_NO_MEMORY. */
+ * Returned: in the result, `sensitivity` of the pull-off, whose residual and rounding are NAN, and
+ * `has_sensitivity`, false at a fold; both are unchanged off panels; and `noise`, whose change is
+ * NULL without a smoothed table, or off panels. Status: PO_NO_MEMORY. */
 po_status po_adjoint_note(const po_scene *scene, const po_surface *surface,
                           const po_branch_point *p, po_result *result);
 

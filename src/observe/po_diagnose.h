@@ -37,8 +37,9 @@ typedef struct {
   po_passage out, back; /* of the forward and of the reverse trace */
 } po_kept;
 
-/* Diagnoses the states kept of a trace. Given: the equilibrium of the trace. Returned: in the
- * result. Status: PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME. */
+/* Diagnoses the states kept of a trace. Given: the equilibrium of the trace, whose surface
+ * is left on the mesh of the last of them. Returned: in the result. Status: PO_NO_MEMORY,
+ * PO_INTERRUPTED, PO_OUT_OF_TIME. */
 po_status po_diagnose_states(const po_request *request, const po_kept *kept, po_equilibrium *e,
                              po_result *result);
 

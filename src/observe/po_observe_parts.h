@@ -18,13 +18,14 @@ typedef struct {
 
 /* The tensile minima of the load of a trace, or its folds. */
 typedef struct {
-  bool minima; /* then the errors of folds are not estimated */
+  bool minima; /* minima are kept, and the errors of folds not estimated; otherwise folds */
   po_kept_point *points;
   size_t count, room;
   po_arrays arrays; /* of the points */
   double tolerance; /* of the trace */
 } po_kept_points;
 
+/* Frees the points. Returned: all members 0. */
 void po_kept_points_clear(po_kept_points *kept);
 
 /* The settings of one trace, which change if it is repeated. */

@@ -207,8 +207,8 @@ static void read_special_point(po_reader *r, const po_branch_point *p) {
   keep_status(r, add_special_point(&r->special, p, r->request->stiffness, &e, r->result));
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, &e);
-  if (r->kept_points)
-    keep_status(r, keep_point(r->kept_points, p, r->stopping.margin));
+  if (r->for_series)
+    keep_status(r, keep_point(r->for_series, p, r->stopping.margin));
 }
 
 /* Gauss's rule with three points on (0, 1). It is exact for the integrand, a cubic times the

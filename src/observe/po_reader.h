@@ -45,10 +45,10 @@ typedef struct {
   const po_request *request;
   const po_surface *surface; /* for a rigid scene, its nodes only */
   po_result *result;
-  po_kept_points *kept_points; /* NULL: none are kept */
-  bool diagnoses;              /* diagnostics are wanted, which the next two need */
-  po_balance balance;          /* energy balance */
-  po_kept kept;                /* states and special points for them */
+  po_kept_points *for_series; /* special points to continue from; NULL: none are kept */
+  bool diagnoses;             /* diagnostics are wanted, which the next two need */
+  po_balance balance;         /* energy balance */
+  po_kept kept;               /* states and special points for them */
   double begin; /* points are recorded from the first one with at least this approach */
   bool begun;
   po_stopping stopping;

@@ -22,7 +22,7 @@ static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LO
 static po_continuation_options options_of(const po_request *request, double begin,
                                           po_reader *reader) {
   po_continuation_options options = po_continuation_options_default();
-  options.minima_only = reader->kept_points && reader->kept_points->minima;
+  options.minima_only = reader->for_series && reader->for_series->minima;
   options.end = request->approach_end;
   if (isfinite(request->preload.approach))
     options.station[0] = request->preload.approach;
@@ -179,7 +179,7 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
   po_surface *surface = NULL;
   po_reader reader = {.request = request,
                       .result = result,
-                      .kept_points = kept,
+                      .for_series = kept,
                       .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
                       .special = {.greatest = {.traced_approach_error = NAN,
                                                .traced_load_error = NAN,

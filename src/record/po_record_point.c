@@ -118,9 +118,9 @@ static json_t *with_parameters(const po_request *request, po_key name) {
   po_text_add(&text, "%s", value);
   const char *before = ":";
   for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (po_key_is_parameter(key, PO_KEYS[(int)name].owner) && po_key_is_continuous(key) &&
-        !isnan(po_key_number(request, (po_key)key))) {
-      po_key_print(request, (po_key)key, value);
+    if (po_key_is_parameter(key, PO_KEYS[name].owner) && po_key_is_continuous(key) &&
+        !isnan(po_key_number(request, key))) {
+      po_key_print(request, key, value);
       po_text_add(&text, "%s%s", before, value);
       before = ",";
     }
@@ -141,7 +141,7 @@ static json_t *sweep(const po_case *kase, size_t point) {
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
     for (int key = 0; key < PO_KEY_END; ++key)
       if (po_keys_have(kase->file->sweep[i].named, key))
-        po_json_set(&object, PO_KEYS[key].name, swept_value(request, input, (po_key)key));
+        po_json_set(&object, PO_KEYS[key].name, swept_value(request, input, key));
   json_decref(input);
   for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
     const po_draw *draw = &kase->file->sample->keys[i];

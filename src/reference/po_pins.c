@@ -107,7 +107,7 @@ typedef struct {
 /* Fills `scene`. Returned: false if the headers of the table exclude the scene. */
 static bool describe(const po_csv *table, const po_request *request, scene_words *scene) {
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    po_pins_key_text(request, (po_key)key, scene->texts[key]);
+    po_pins_key_text(request, key, scene->texts[key]);
     scene->columns[key] = po_csv_find_column(table, PO_KEYS[key].name);
     const po_csv_header *header = po_csv_find_header(table, PO_KEYS[key].name);
     if (scene->columns[key] < 0 && strcmp(header ? header->value : "-", scene->texts[key]) != 0)

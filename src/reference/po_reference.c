@@ -105,7 +105,7 @@ static po_status check_selectors(const po_csv *table) {
     const int key = po_key_of_name(table->columns[c]);
     for (size_t r = 0; key >= 0 && r < table->row_count; ++r)
       if (strcmp(po_csv_cell(table, r, c), NO_VALUE) != 0 &&
-          !po_key_set(&request, (po_key)key, po_csv_cell(table, r, c)))
+          !po_key_set(&request, key, po_csv_cell(table, r, c)))
         return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path,
                        table->lines[r], table->columns[c], po_csv_cell(table, r, c),
                        PO_KEYS[key].expected);
@@ -113,7 +113,7 @@ static po_status check_selectors(const po_csv *table) {
   for (size_t i = 0; i < table->header_count; ++i) {
     const po_csv_header *header = &table->headers[i];
     const int key = po_key_of_name(header->key);
-    if (key >= 0 && !po_key_set(&request, (po_key)key, header->value))
+    if (key >= 0 && !po_key_set(&request, key, header->value))
       return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path, header->line,
                      header->key, header->value, PO_KEYS[key].expected);
   }
@@ -241,7 +241,7 @@ static po_status read_kind(const po_csv *table, size_t row, po_special_kind *kin
                    table->column_line);
   const char *text = po_csv_cell(table, row, (size_t)column);
   for (int k = PO_JUMP_IN; k <= PO_MAXIMUM; ++k)
-    if (strcmp(text, PO_SPECIAL_KINDS[(po_special_kind)k]) == 0) {
+    if (strcmp(text, PO_SPECIAL_KINDS[k]) == 0) {
       *kind = (po_special_kind)k;
       return PO_OK;
     }

@@ -112,7 +112,7 @@ static bool headers_hold(const po_csv *table, const po_request *request) {
     return false;
   for (size_t i = 0; i < table->header_count; ++i) {
     const int key = po_key_of_name(table->headers[i].key);
-    if (key >= 0 && !po_key_matches(request, (po_key)key, table->headers[i].value))
+    if (key >= 0 && !po_key_matches(request, key, table->headers[i].value))
       return false;
   }
   return true;
@@ -135,7 +135,7 @@ static bool cell_holds(const po_csv *table, const po_request *request, po_key ke
 static bool row_holds(const po_csv *table, size_t row, const po_request *request) {
   for (size_t c = 0; c < table->column_count; ++c) {
     const int key = po_key_of_name(table->columns[c]);
-    if (key >= 0 && !cell_holds(table, request, (po_key)key, po_csv_cell(table, row, c)))
+    if (key >= 0 && !cell_holds(table, request, key, po_csv_cell(table, row, c)))
       return false;
   }
   return true;
@@ -196,15 +196,15 @@ bool po_reference_next_row(const po_reference *reference, const po_request *requ
 static void add_difference(const po_csv *table, const po_request *request, const char *name,
                            const char *text, double *difference, po_text *words) {
   const int key = po_key_of_name(name);
-  if (key < 0 || cell_holds(table, request, (po_key)key, text))
+  if (key < 0 || cell_holds(table, request, key, text))
     return;
-  const double own = po_key_number(request, (po_key)key);
+  const double own = po_key_number(request, key);
   double there = 0;
-  const bool is_number = po_key_is_number((po_key)key) && po_number_parse(text, &there) &&
-                         isfinite(own) && own != there;
+  const bool is_number =
+      po_key_is_number(key) && po_number_parse(text, &there) && isfinite(own) && own != there;
   *difference += 1 + (is_number ? fabs(own - there) / (fabs(own) + fabs(there)) : 1);
   char asked[PO_KEY_TEXT_LENGTH];
-  po_key_print(request, (po_key)key, asked);
+  po_key_print(request, key, asked);
   if (words)
     po_text_add(words, "%s %s %s instead of %s", *difference > 2 ? "," : "", name, text, asked);
 }

@@ -31,7 +31,7 @@ typedef char po_label[PO_LABEL_LENGTH];
 typedef struct po_block po_block;
 
 /* Every cell is filled; where a cell does not apply, texts are "" and the rest is 0 or NULL.
- * tests/unit/test_rows.c checks this. */
+ * tests/harness/test_rows.c checks this. */
 typedef struct {
   const char *key;
   po_row_type type;

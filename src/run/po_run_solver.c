@@ -22,8 +22,8 @@ static bool is_same(const po_case_run *run, size_t point, size_t other) {
     if (key == PO_KEY_SCHEME || key == PO_KEY_GRADING || key == PO_KEY_NODES ||
         key == PO_KEY_TOLERANCE || key == PO_KEY_TIME_LIMIT)
       continue;
-    po_key_print(a, (po_key)key, x);
-    po_key_print(b, (po_key)key, y);
+    po_key_print(a, key, x);
+    po_key_print(b, key, y);
     if (strcmp(x, y) != 0)
       return false;
   }

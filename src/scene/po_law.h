@@ -44,9 +44,10 @@ typedef struct {
   double closest; /* the gap that no state reaches: that at which the law is singular; for the Morse
                      law, which is not, an overlap at which its repulsion is beyond any pressure of
                      a contact */
-  double least;   /* at which the law is evaluated: a closer gap is an error of the prediction */
-  double reach;   /* the initial gap from which on the interaction is that of the far field, which
-                     one panel to infinity carries */
+  double
+      least; /* at which the law is evaluated: a closer gap can only be an error of a prediction */
+  double reach; /* the initial gap from which on the interaction is that of the far field, which
+                   one panel to infinity carries */
   /* The far field: the traction tends to -factor * (1 + H)^-exponent. Exponent INFINITY: it falls
    * exponentially, and beyond the reach there is none. */
   double factor, exponent;
@@ -57,7 +58,7 @@ typedef struct {
   const po_law_kind *kind;
   double parameter[PO_LAW_PARAMETER_COUNT]; /* those of other laws are not looked at */
   double constant;                          /* what its kind derives from the parameters */
-  po_law_numbers numbers;                   /* derived, too: see po_law_numbers_of */
+  po_law_numbers numbers;                   /* derived, too; read by po_law_numbers_of */
 } po_law;
 
 typedef struct {
@@ -123,9 +124,11 @@ typedef struct {
 } po_law_closeness;
 po_law_closeness po_law_closeness_at(const po_law *law, double gap);
 
+/* Returned: the numbers of a law; of one of which nothing is set, those of the law of the paper.
+ * They belong to the law, and are valid until it is set again. */
 const po_law_numbers *po_law_numbers_of(const po_law *law);
 
-/* A predicted gap, or the least one at which the law is evaluated. */
+/* The greater of a predicted gap and the least one at which the law is evaluated. */
 double po_law_expected_gap(const po_law *law, double gap);
 
 /* An approach at which the repulsion pushes a rigid body, which is a paraboloid of `share` times

@@ -12,7 +12,7 @@ struct po_law_kind {
    * is nothing to check. */
   po_status (*check)(const po_law *law);
   /* Its numbers. The peak and the far field are exact, as they define the contact and the load; the
-   * other gaps bound gaps, and the factor of an exponential is not used. */
+   * other gaps are bounds only, and the factor of an exponential is not used. */
   po_law_numbers numbers;
   /* Sets the numbers and the constant that depend on parameters. NULL: none does. */
   void (*derive)(po_law *law);
@@ -22,7 +22,8 @@ struct po_law_kind {
   double (*energy)(const po_law *law, double gap);
   po_law_value (*averaged)(const po_law *law, double gap, double amplitude);
   double (*energy_averaged)(const po_law *law, double gap, double amplitude);
-  /* Scale and closeness only measure steps and changes. NULL: the scale is 1 + H. */
+  /* Scale and closeness only measure steps and changes. Scale NULL: it is 1 + H, for laws of powers
+   * only; every other law gives its scale, and sets closest, least and reach. */
   po_law_scale (*scale)(const po_law *law, double gap);
   po_law_closeness (*closeness)(const po_law *law, double gap); /* at gaps > 0 */
   /* An estimate: where a rigid trace ends, and how large the domain is. */

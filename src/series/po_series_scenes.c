@@ -123,7 +123,7 @@ po_status po_series_follow(po_series_course *c, const po_solution *point, size_t
       return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
     if (request->watch)
       request->watch(request->watcher, (double)NAN, (double)NAN);
-    const po_watch before = po_watch_begin(NULL, po_observe_deadline(request));
+    const po_watch before = po_watch_begin(request->stop, po_observe_deadline(request));
     status = po_follow_to(c->follower, (double)k);
     po_watch_end(before);
     if (!status)

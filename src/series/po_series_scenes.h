@@ -32,7 +32,7 @@ typedef struct {
   void (*record)(void *data, size_t index, const po_branch_point *point);
   void *data;
   po_follower *follower; /* made by po_series_course_begin, to be destroyed */
-  po_work counted;       /* that part of its work which the results have */
+  po_work counted;       /* its work up to the last scene, which is in the results */
 } po_series_course;
 
 /* Given: a course without a follower; tolerance, that of the follower, which begins at the scene

@@ -108,7 +108,7 @@ static void read_pull_off(const json_t *root, po_answer *answer) {
 
 static bool find_kind(const char *text, bool folds, po_special_kind *kind) {
   for (int k = folds ? PO_JUMP_IN : PO_MINIMUM; k <= (folds ? PO_JUMP_OUT : PO_MAXIMUM); ++k)
-    if (text && strcmp(text, PO_SPECIAL_KINDS[(po_special_kind)k]) == 0) {
+    if (text && strcmp(text, PO_SPECIAL_KINDS[k]) == 0) {
       *kind = (po_special_kind)k;
       return true;
     }

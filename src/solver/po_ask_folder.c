@@ -53,8 +53,13 @@ po_status po_ask_folder_make(const char *parent, const char *key, po_ask_folder 
   const po_status status = po_folder_make(parent);
   if (status)
     return status;
-  if (!mkdtemp(made.text) || !realpath(made.text, f->path.text))
+  const bool is_made = mkdtemp(made.text);
+  if (!is_made || !realpath(made.text, f->path.text)) {
+    if (is_made)
+      rmdir(made.text);
+    f->path.text[0] = '\0'; /* realpath may have left a part of it */
     return po_fail(PO_CANNOT_WRITE, "a folder for the solver cannot be created in %s", parent);
+  }
   f->request = po_path_join(f->path.text, "request.json");
   f->table = po_path_join(f->path.text, "request.csv");
   f->response = po_path_join(f->path.text, RESPONSE_FILE);

@@ -10,7 +10,8 @@ typedef struct {
 } po_ask_folder;
 
 /* Creates an empty folder. Given: `parent`, which is created if it does not exist; `key`, see
- * po_ask, or NULL. Returned: to be unlocked whatever the status. Status: PO_CANNOT_WRITE. */
+ * po_ask, or NULL. Returned: to be unlocked whatever the status. Status: PO_CANNOT_WRITE,
+ * PO_NO_MEMORY. */
 po_status po_ask_folder_make(const char *parent, const char *key, po_ask_folder *folder);
 
 /* Unlocks the folder. */

@@ -14,7 +14,7 @@ static json_t *number_json(double value) {
 }
 
 static bool is_asked(const po_request *request, int key) {
-  return po_key_is_of_scene((po_key)key) && !po_key_is_idle(request, (po_key)key);
+  return po_key_is_of_scene(key) && !po_key_is_idle(request, key);
 }
 
 /* Prints the value of a key. The solver runs in another folder: it gets the absolute path of a
@@ -34,7 +34,7 @@ static json_t *scene_json(const po_request *request) {
     if (is_asked(request, key)) {
       const char *name = PO_KEYS[key].name;
       char path[PO_KEY_TEXT_LENGTH];
-      print_value(request, (po_key)key, path);
+      print_value(request, key, path);
       po_json_set(&object, name,
                   key == PO_KEY_PROFILE_FILE ? po_json_text(path)
                                              : json_incref(json_object_get(input, name)));
@@ -128,7 +128,7 @@ po_status po_questions_print(const po_solver *solver, const po_question *questio
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
       char value[PO_KEY_TEXT_LENGTH] = "-";
       if (used[key] && is_asked(&q->request, key))
-        print_value(&q->request, (po_key)key, value);
+        print_value(&q->request, key, value);
       if (used[key])
         po_text_add(text, ",%s", value);
     }

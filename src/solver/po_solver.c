@@ -62,11 +62,11 @@ static const po_field MANIFEST[] = {
 static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned number) {
   const po_axis *axis = &item->axis;
   const int key = po_key_of_name(axis->key);
-  if (key < 0 || !po_key_is_of_scene((po_key)key))
+  if (key < 0 || !po_key_is_of_scene(key))
     return po_fields_refuse(yaml, NULL, "can.scene[%u].key", number);
   for (unsigned v = 0; v < axis->values_count; ++v) {
     po_request request = po_input_default();
-    if (!po_key_set(&request, (po_key)key, axis->values[v]))
+    if (!po_key_set(&request, key, axis->values[v]))
       return po_fields_refuse(yaml, PO_KEYS[key].expected, "can.scene[%u].values[%u]", number,
                               v + 1);
   }
@@ -76,7 +76,7 @@ static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned nu
     return po_fields_refuse(yaml, NULL, "can.scene[%u].from", number);
   if (axis->to_text && !po_number_parse(axis->to_text, &item->to))
     return po_fields_refuse(yaml, NULL, "can.scene[%u].to", number);
-  if ((axis->from_text || axis->to_text) && (axis->values || !po_key_is_number((po_key)key)))
+  if ((axis->from_text || axis->to_text) && (axis->values || !po_key_is_number(key)))
     return po_fields_refuse(yaml, "either values, or from and to for a number", "can.scene[%u]",
                             number);
   return item->from > item->to ? po_fields_refuse(yaml, NULL, "can.scene[%u].to", number) : PO_OK;
@@ -317,13 +317,13 @@ static bool accepts_value(const po_solver_key *item, const po_request *request, 
 bool po_solver_accepts(const po_solver *solver, const po_request *request,
                        char why[PO_SOLVER_WHY]) {
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    if (!po_key_is_of_scene((po_key)key) || po_key_is_idle(request, (po_key)key))
+    if (!po_key_is_of_scene(key) || po_key_is_idle(request, key))
       continue;
     char value[PO_KEY_TEXT_LENGTH];
-    const po_solver_key *item = find_key(solver, (po_key)key);
-    if (item && accepts_value(item, request, (po_key)key))
+    const po_solver_key *item = find_key(solver, key);
+    if (item && accepts_value(item, request, key))
       continue;
-    po_key_print(request, (po_key)key, value);
+    po_key_print(request, key, value);
     snprintf(why, PO_SOLVER_WHY, "%s is %.60s: %s", PO_KEYS[key].name, value,
              item ? "outside the values that the manifest declares"
                   : "the manifest does not declare this key");

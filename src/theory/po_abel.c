@@ -254,7 +254,7 @@ po_abel po_abel_at(const po_scene *scene, double x) {
 
 double po_abel_fall(const po_scene *scene) {
   const po_profile_table *t = table_of(scene);
-  double least = 0.0, most = 0.0; /* of (r f')', which bounds the rate of the transform */
+  double least = 0.0, most = 0.0; /* of (r f')'; times pi/2 they bound the rate of the transform */
   for (size_t k = 0; t && k + 1 < t->rows; ++k)
     widen(t, k, &least, &most);
   return least < 0.0 ? -M_PI_2 * least : 0.0;

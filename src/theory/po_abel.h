@@ -30,7 +30,7 @@ double po_abel_greatest_drop(const po_scene *scene, double low, double high);
 /* Bounds. `fall`: the transform of the profile without waves falls nowhere faster than this; 0 for
  * profiles that are convex. `po_abel_greatest_rate`: no smaller than dg/dx anywhere up to x, waves
  * included; it grows with x. `po_abel_waves_least`: g and press no greater than the part of the
- * waves in them anywhere on [low, high]; rate is not used. */
+ * waves in them anywhere on [low, high]; its rate is 0. */
 double po_abel_fall(const po_scene *scene);
 double po_abel_greatest_rate(const po_scene *scene, double x);
 po_abel po_abel_waves_least(const po_scene *scene, double low, double high);

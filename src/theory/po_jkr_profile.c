@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "po_abel.h"
-#include "po_initial_gap.h"
 #include "po_root.h"
 #include "po_watch.h"
 

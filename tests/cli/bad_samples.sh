@@ -69,7 +69,14 @@ spoilt 's/^sample/sweep: [{key: amplitude_ratio, values: [0.05]}]\n&/; s/key: wa
   '14: sample.keys[[]3[]].key is alpha: expected one of alpha and amplitude_ratio'
 # Without an amplitude, alpha has no effect: every scene was the same smooth sphere.
 spoilt 's/key: wavelength, .*}/key: alpha, from: 0.1, to: 1}/; /key: amplitude/d' \
-  '4: scene.amplitude is missing: expected a number >= 0, here, in the sweep or in the sample, as alpha varies'
+  '4: scene.amplitude is missing: expected a number > 0, here, in the sweep or in the sample, as alpha varies'
+spoilt 's/outer_radius: inf/&\n  amplitude: 0/; s/key: wavelength, .*}/key: alpha, from: 0.1, to: 1}/; /key: amplitude/d' \
+  '6: scene.amplitude is 0: expected a number > 0, here, in the sweep or in the sample, as alpha varies'
+# A unit that a group sets, or that is a group, is not known when the number is drawn: it was 0.
+spoilt 's/^sample/sweep: [{key: alpha, values: [0.5]}]\n&/; /key: wavelength/d' \
+  '14: sample.keys[[]3[]].times is wavelength: expected *'
+spoilt 's/outer_radius: inf/&\n  coupling: 1/; /key: tabor/d; s/times: wavelength/times: coupling/' \
+  '14: sample.keys[[]3[]].times is coupling: expected *'
 spoilt 's/outer_radius: inf/&\n  tabor: 1/' \
   '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep gives'
 spoilt 's/^sample/sweep: [{key: tabor, values: [1]}]\n&/' \

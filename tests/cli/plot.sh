@@ -74,6 +74,8 @@ if command -v gnuplot >/dev/null; then
   check 'the result is printed although the figure is not' grep -q '^pull-off force 1.67066' stdout
   expect 0 '*' plot fig04 --run run fig04.svg
   check 'a run' drawn fig04.svg
+  expect 0 '*' plot fig04 --run run --plot again.svg
+  check 'its figure as an option' drawn again.svg
   expect 0 '*' plot fig04 --run run
   check 'a run as characters' grep -q '^pull-off force in pi w R against tabor$' stdout
   check 'no file is left' test "$(find . -name 'figure*' | wc -l)" = 0
@@ -90,6 +92,8 @@ expect 2 'pulloff: --json has no effect on plot: *' plot --json
 expect 2 'pulloff: --curve has no effect on plot: *' plot --tabor 0 --curve curve.csv
 expect 2 'pulloff: --profile-csv has no effect on plot: *' plot --tabor 0 --profile profile.csv
 expect 2 'pulloff: --staircase has no effect on plot: *' plot --tabor 0 --staircase steps.csv
+expect 2 'pulloff: the figure is given twice: *' plot --tabor 0 --plot a.svg b.svg
+expect 2 'pulloff: theories is no panel of a plot: *' plot --tabor 0 --want curve,theories
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot fig04 --tabor 2
 # The arguments before the case were counted: such options were ignored.
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot --run=run --tabor=2 fig04

@@ -44,7 +44,7 @@ expect 2 'pulloff: --tabor is gr\\xf6\\xdfer: expected *' solve --tabor "$(print
 expect 2 'pulloff: --tabor is empty: expected *' solve --tabor ''
 # A long value is cut at a character, not inside one.
 long=$(printf 'x%.0s' $(seq 79))
-expect 2 "pulloff: --tabor is $long: expected *" solve --tabor "${long}öö"
+expect 2 "pulloff: --tabor is $long...: expected *" solve --tabor "${long}öö"
 expect 2 'pulloff: unknown verb \\x1b[[]31m: expected *' "$escape"
 expect 2 'pulloff: no closed form is named \\x1b[[]31m: expected *' theory "$escape"
 expect 2 'pulloff: unexpected argument \\x1b[[]31m of solve *' solve "$escape"
