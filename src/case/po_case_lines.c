@@ -15,7 +15,7 @@ static const size_t MOST_ROWS = 100000;
 enum { MOST_AXES = 8 };
 
 static bool is_variable(const po_form *form, const char *key) {
-  return form->along && strcmp(key, po_form_variable_name(form->variable)) == 0;
+  return form->along && strcmp(key, PO_FORM_VARIABLES[form->variable]) == 0;
 }
 
 /* Reports whether a form depends on a key of the scene. Files of profiles are given in the scene.

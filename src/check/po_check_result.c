@@ -9,22 +9,19 @@
 #include "po_memory.h"
 #include "po_text.h"
 
-const char *po_verdict_name(po_verdict verdict) {
-  static const char *const NAMES[PO_VERDICT_COUNT] = {
-      [PO_IDENTICAL] = "identical",
-      [PO_WITHIN] = "within",
-      [PO_OUTSIDE] = "outside",
-      [PO_NO_RESULT] = "no_result",
-      [PO_MISSING_REFERENCE] = "missing_reference",
-      [PO_IMPROVED] = "improved",
-      [PO_REGRESSED] = "regressed",
-      [PO_MOVED] = "moved",
-      [PO_WRONG_AND_FROZEN] = "wrong_and_frozen",
-      [PO_SLACK] = "slack",
-      [PO_NOT_REACHABLE] = "not_reachable",
-  };
-  return NAMES[verdict];
-}
+const char *const PO_VERDICTS[PO_VERDICT_COUNT] = {
+    [PO_IDENTICAL] = "identical",
+    [PO_WITHIN] = "within",
+    [PO_OUTSIDE] = "outside",
+    [PO_NO_RESULT] = "no_result",
+    [PO_MISSING_REFERENCE] = "missing_reference",
+    [PO_IMPROVED] = "improved",
+    [PO_REGRESSED] = "regressed",
+    [PO_MOVED] = "moved",
+    [PO_WRONG_AND_FROZEN] = "wrong_and_frozen",
+    [PO_SLACK] = "slack",
+    [PO_NOT_REACHABLE] = "not_reachable",
+};
 
 bool po_verdict_passes(po_verdict verdict) {
   return po_verdict_is_plain(verdict) || verdict == PO_IMPROVED || verdict == PO_SLACK ||

@@ -165,14 +165,14 @@ static po_status compare_work(const po_compare_input *c) {
   for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter) {
     char pin[PO_PIN_NAME_LENGTH], name[PO_PIN_NAME_LENGTH];
     po_reference_number expected = {(double)NAN, 0};
-    snprintf(pin, sizeof pin, "work/%s", po_work_name(counter));
-    snprintf(name, sizeof name, "work_%s", po_work_name(counter));
+    snprintf(pin, sizeof pin, "work/%s", PO_WORK_COUNTER_NAMES[counter]);
+    snprintf(name, sizeof name, "work_%s", PO_WORK_COUNTER_NAMES[counter]);
     const po_status status = po_pins_value(c->reference, pin, &c->request, &expected.value);
     if (status && status != PO_NOT_FOUND)
       return status;
     const double done =
         c->result->status == PO_OK ? po_work_count(&c->result->work, counter) : (double)NAN;
-    if (!po_compare_add(c, name, po_work_name(counter), done, expected))
+    if (!po_compare_add(c, name, PO_WORK_COUNTER_NAMES[counter], done, expected))
       return PO_NO_MEMORY;
   }
   return PO_OK;

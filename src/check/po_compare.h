@@ -52,9 +52,7 @@ typedef struct {
   size_t count;
 } po_check_results;
 
-/* Returned: "identical", "within", "outside", "no_result", "missing_reference", "improved",
- * "regressed", "moved", "wrong_and_frozen", "slack" or "not_reachable". */
-const char *po_verdict_name(po_verdict verdict);
+extern const char *const PO_VERDICTS[PO_VERDICT_COUNT]; /* the name of each verdict */
 
 /* Reports whether a check with this verdict passes: identical, within, improved, slack or
  * not_reachable. */

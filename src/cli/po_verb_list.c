@@ -59,7 +59,7 @@ static void print_entry(const po_reference_entry *entry, const po_catalog *catal
       snprintf(cases + strlen(cases), sizeof cases - strlen(cases), "%s%s", *cases ? "," : "",
                catalog->cases[i]->file->name);
   if (entry->intact)
-    printf("%-34s %-10s %5zu  %-22s %s\n", name, po_ledger_name(entry->ledger), entry->rows,
+    printf("%-34s %-10s %5zu  %-22s %s\n", name, PO_LEDGERS[entry->ledger], entry->rows,
            *cases ? cases : "-", state_of(entry));
   else
     printf("%-34s %-10s %5s  %-22s damaged: %s\n", name, "-", "-", *cases ? cases : "-",
@@ -71,7 +71,7 @@ static json_t *entry_json(const po_reference_entry *entry, const po_catalog *cat
       {"table", po_json_text(entry->name)}, {"intact", json_boolean(entry->intact)},
       {"in_index", json_boolean(entry->listed)}, {"cases", users(catalog, entry->name)});
   if (entry->intact) {
-    po_json_set(&object, "kind", po_json_text(po_ledger_name(entry->ledger)));
+    po_json_set(&object, "kind", po_json_text(PO_LEDGERS[entry->ledger]));
     po_json_set(&object, "rows", po_json_count(entry->rows));
     po_json_set(&object, "uncertainty", po_json_text(entry->uncertainty));
   } else {

@@ -117,7 +117,7 @@ static bool is_worse(const po_check_result *item, const po_check_result *than) {
 }
 
 static void add_result(const po_check_result *item, po_text *text) {
-  po_text_add(text, "%s", po_verdict_name(item->verdict));
+  po_text_add(text, "%s", PO_VERDICTS[item->verdict]);
   if (isfinite(item->ratio) && !(item->verdict == PO_OUTSIDE && item->ratio <= 1))
     po_text_add(text, ", %.4g times the tolerance", item->ratio);
   po_text_add(text, " (%s)%s%s", po_reference_shown(item->reference), item->note[0] ? ": " : "",

@@ -105,10 +105,10 @@ static void blame_oracle(const po_case_run *run, const po_check_result *item,
             : "");
   else if (others->for_it)
     say(blame, "reference", "%s (%s) agrees with the result: check %s first",
-        others->for_it->check->reference, po_ledger_name(others->for_it->ledger), name);
+        others->for_it->check->reference, PO_LEDGERS[others->for_it->ledger], name);
   else if (others->against)
     say(blame, "program", "%s (%s) does not agree with the result either",
-        others->against->check->reference, po_ledger_name(others->against->ledger));
+        others->against->check->reference, PO_LEDGERS[others->against->ledger]);
   else
     say(blame, "program",
         "%s was computed by an independent method and no other reference covers this number: check "
@@ -121,10 +121,10 @@ static void blame_published(const po_check_result *item, const other_results *ot
   if (others->for_it)
     say(blame, "publication",
         "%s (%s) agrees with the result: the publication, or its digitisation, is wrong",
-        others->for_it->check->reference, po_ledger_name(others->for_it->ledger));
+        others->for_it->check->reference, PO_LEDGERS[others->for_it->ledger]);
   else if (others->against)
     say(blame, "program", "%s (%s) does not agree with the result either",
-        others->against->check->reference, po_ledger_name(others->against->ledger));
+        others->against->check->reference, PO_LEDGERS[others->against->ledger]);
   else
     say(blame, "publication",
         "only %s covers this number: the publication, its digitisation, or the program is wrong; "

@@ -59,7 +59,7 @@ static po_status add_work(pin_list *list, size_t point, const po_result *result)
   po_status status = PO_OK;
   for (int counter = 0; !status && counter < PO_WORK_COUNTERS; ++counter) {
     char name[PO_PIN_NAME_LENGTH];
-    snprintf(name, sizeof name, "work/%s", po_work_name(counter));
+    snprintf(name, sizeof name, "work/%s", PO_WORK_COUNTER_NAMES[counter]);
     status = add(list, point, name,
                  result->status == PO_OK ? po_work_count(&result->work, counter) : (double)NAN);
   }
@@ -181,7 +181,7 @@ static po_status check_results(const po_case_run *run) {
     const bool bad_oracle = item->ledger == PO_LEDGER_ORACLE && !po_verdict_passes(item->verdict);
     if (bad_oracle || item->verdict == PO_NO_RESULT)
       return po_fail(PO_CHECK_FAILED, "%s is not blessed: %s is %s (see pulloff explain %s)", name,
-                     item->id, po_verdict_name(item->verdict), po_case_word(kase));
+                     item->id, PO_VERDICTS[item->verdict], po_case_word(kase));
   }
   return PO_OK;
 }

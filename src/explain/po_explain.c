@@ -166,7 +166,7 @@ static void explain_numbers(const po_check_result *item, po_text *text) {
     po_text_add(text, "  obtained   %.12g\n", item->obtained);
   if (isfinite(item->expected))
     po_text_add(text, "  expected   %.12g\n", item->expected);
-  po_text_add(text, "  ledger     %s: %s", po_ledger_name(item->ledger), reference);
+  po_text_add(text, "  ledger     %s: %s", PO_LEDGERS[item->ledger], reference);
   if (isfinite(item->uncertainty) && item->uncertainty > 0)
     po_text_add(text, ", with an uncertainty of %.2g", item->uncertainty);
   po_text_add(text, "\n");
@@ -183,7 +183,7 @@ static void explain_item(const po_case_run *run, const po_finding *finding, cons
   po_blame blame;
   po_blame_find(run, item, &blame);
   po_text_add(text, "%s %s %s: %s\n", run->plan->name, item->subject,
-              finding->label ? finding->label : "-", po_verdict_name(item->verdict));
+              finding->label ? finding->label : "-", PO_VERDICTS[item->verdict]);
   explain_numbers(item, text);
   if (isfinite(item->approach)) {
     po_place_describe(&run->points[item->point].result, item->approach, item->load, place);
@@ -234,8 +234,8 @@ static json_t *item_json(const po_case_run *run, const po_finding *finding, cons
       {"id", po_json_text(item->id)},
       {"point", po_json_text(item->whole ? NULL : run->plan->kase->points[item->point].id)},
       {"label", po_json_text(finding->label)}, {"quantity", po_json_text(item->quantity)},
-      {"ledger", po_json_text(po_ledger_name(item->ledger))},
-      {"verdict", po_json_text(po_verdict_name(item->verdict))},
+      {"ledger", po_json_text(PO_LEDGERS[item->ledger])},
+      {"verdict", po_json_text(PO_VERDICTS[item->verdict])},
       {"passes", json_boolean(po_verdict_passes(item->verdict))},
       {"obtained", po_json_number(item->obtained)}, {"expected", po_json_number(item->expected)},
       {"error", po_json_number(item->error)}, {"ratio", po_json_number(item->ratio)},

@@ -23,7 +23,7 @@ static void table_line(const po_case_run *run, const po_finding *finding, po_tex
       po_number_or("%.9g", curve ? item->error : item->obtained, "-", obtained),
       po_number_or("%.9g", curve && isfinite(item->error) ? 0 : item->expected, "-", expected),
       po_number_or(item->ratio < 1e5 ? "%.3f" : "%.2e", item->ratio, "-", ratio),
-      po_ledger_name(item->ledger), po_verdict_name(item->verdict), is_told ? ": " : "",
+      PO_LEDGERS[item->ledger], PO_VERDICTS[item->verdict], is_told ? ": " : "",
       is_told ? item->note : "");
 }
 
@@ -55,7 +55,7 @@ void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
     const char *before = " (";
     for (int v = PO_OUTSIDE; v < PO_VERDICT_COUNT; ++v)
       if (of[v] && po_verdict_passes((po_verdict)v) == passes) {
-        po_text_add(text, "%s%zu %s", before, of[v], po_verdict_name((po_verdict)v));
+        po_text_add(text, "%s%zu %s", before, of[v], PO_VERDICTS[v]);
         before = ", ";
       }
     po_text_add(text, "%s", *before == ',' ? ")" : "");
@@ -97,7 +97,7 @@ static void name_finding(const po_case_run *run, const po_finding *finding, name
   }
   snprintf(test->words, sizeof test->words,
            "%s: obtained %s, expected %s, error %s, tolerance %s %s%s%s",
-           po_verdict_name(item->verdict), po_number_or("%.17g", item->obtained, "-", obtained),
+           PO_VERDICTS[item->verdict], po_number_or("%.17g", item->obtained, "-", obtained),
            po_number_or("%.17g", item->expected, "-", expected),
            po_number_or("%.6g", item->error, "-", error), item->check->tolerance_text,
            item->check->kind_text, item->note[0] ? "; " : "", item->note);

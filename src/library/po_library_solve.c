@@ -123,7 +123,7 @@ static po_status check_form(const po_form *form, const po_given *given,
                 [PO_FORM_AT_APPROACH] = {at < 1, "a finite number < 1"},
                 [PO_FORM_AT_CONTACT_RADIUS] = {at >= 0, "a finite number >= 0"},
                 [PO_FORM_AT_GAP] = {at > -1, "a finite number > -1"}};
-  const char *variable = po_form_variable_name(form->variable);
+  const char *variable = PO_FORM_VARIABLES[form->variable];
   return domain[form->variable].is_inside && isfinite(at)
              ? PO_OK
              : po_fail(PO_BAD_INPUT, "%s of theory %s is %g: expected %s",

@@ -7,11 +7,8 @@
 #include "po_file.h"
 #include "po_quote.h"
 
-const char *po_work_name(int counter) {
-  static const char *const NAMES[PO_WORK_COUNTERS] = {
-      "points", "newton_iterations", "factorizations", "kernel_evaluations", "nodes"};
-  return NAMES[counter];
-}
+const char *const PO_WORK_COUNTER_NAMES[PO_WORK_COUNTERS] = {
+    "points", "newton_iterations", "factorizations", "kernel_evaluations", "nodes"};
 
 double po_work_count(const po_work *work, int counter) {
   const uint64_t counts[PO_WORK_COUNTERS] = {work->points, work->newton_iterations,
@@ -79,7 +76,7 @@ static po_status open_table(const po_case *kase, const char *solver, const char 
     status = po_reference_read(pins->path.text, pins->shown.text, pins);
     if (!status && pins->ledger != PO_LEDGER_PIN)
       status = po_fail(PO_CANNOT_READ, "%s: kind is %s: expected pin", pins->shown.text,
-                       po_ledger_name(pins->ledger));
+                       PO_LEDGERS[pins->ledger]);
     if (!status)
       status = check(&pins->table);
   }

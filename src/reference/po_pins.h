@@ -36,9 +36,9 @@ po_status po_pins_value(const po_reference *pins, const char *name, const po_req
 void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size_t index, bool load,
                                 char name[PO_PIN_NAME_LENGTH]);
 
-/* Returned: name and value of a pinned counter of work. Only deterministic counters are pinned, not
- * the time. */
-const char *po_work_name(int counter);
+/* Name and value of each pinned counter of work. Only deterministic counters are pinned, not the
+ * time. */
+extern const char *const PO_WORK_COUNTER_NAMES[PO_WORK_COUNTERS];
 double po_work_count(const po_work *work, int counter);
 
 /* Returned: in `text`, the value of a key as written in a table of pins, or "-". */

@@ -48,8 +48,7 @@ typedef struct {
  * name in the case file. */
 const char *po_reference_shown(const po_reference *reference);
 
-/* Returned: "oracle", "published" or "pin". */
-const char *po_ledger_name(po_ledger ledger);
+extern const char *const PO_LEDGERS[]; /* the name of each ledger */
 
 /* Opens a reference and checks it: the headers what, source, kind, method, units, uncertainty,
  * generator, command, date and sha256 must exist, and the checksum must agree.

@@ -10,11 +10,7 @@
 #include "po_si.h"
 #include "po_text.h"
 
-static const char *const LEDGERS[] = {"oracle", "published", "pin"};
-
-const char *po_ledger_name(po_ledger ledger) {
-  return LEDGERS[ledger];
-}
+const char *const PO_LEDGERS[] = {"oracle", "published", "pin"};
 
 const char *po_reference_shown(const po_reference *reference) {
   return reference->type == PO_REFERENCE_PINS ? reference->shown.text : reference->name;
@@ -65,7 +61,7 @@ static po_status check_headers(po_reference *reference) {
                    table->path, digest->line, digest->value, table->digest);
   const po_csv_header *kind = po_csv_find_header(table, "kind");
   for (unsigned i = 0; i < 3; ++i)
-    if (strcmp(kind->value, LEDGERS[i]) == 0) {
+    if (strcmp(kind->value, PO_LEDGERS[i]) == 0) {
       reference->ledger = (po_ledger)i;
       return PO_OK;
     }

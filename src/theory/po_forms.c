@@ -305,7 +305,4 @@ po_status po_form_evaluate(const po_form *form, const po_form_input *input,
   return PO_OK;
 }
 
-const char *po_form_variable_name(po_form_variable variable) {
-  static const char *const NAMES[] = {"", "approach", "contact_radius", "gap"};
-  return NAMES[variable];
-}
+const char *const PO_FORM_VARIABLES[] = {"", "approach", "contact_radius", "gap"};

@@ -100,7 +100,6 @@ po_status po_form_evaluate(const po_form *form, const po_form_input *input, po_f
 /* The names of all forms as a list for messages: "bradley, rigid, ... or lennard-jones". */
 extern const char *const PO_FORM_NAMES;
 
-/* Returned: "approach", "contact_radius" or "gap"; "" for PO_FORM_AT_NOTHING. */
-const char *po_form_variable_name(po_form_variable variable);
+extern const char *const PO_FORM_VARIABLES[]; /* names; "" for PO_FORM_AT_NOTHING */
 
 #endif

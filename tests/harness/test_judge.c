@@ -22,7 +22,7 @@ static const struct {
 };
 
 START_TEST(which_pass) {
-  ck_assert_str_eq(po_verdict_name(VERDICTS[_i].verdict), VERDICTS[_i].name);
+  ck_assert_str_eq(PO_VERDICTS[VERDICTS[_i].verdict], VERDICTS[_i].name);
   ck_assert_int_eq(po_verdict_passes(VERDICTS[_i].verdict), VERDICTS[_i].passes);
 }
 END_TEST
@@ -58,9 +58,9 @@ START_TEST(pin_and_oracle) {
       alone ? 0 : found(ORACLE, 0, "pull_off_force", "", obtained, 1.5, TOGETHER[_i].uncertainty);
   const size_t pin = found(PIN, 0, "pull_off_force", "", obtained, TOGETHER[_i].pinned, 0);
   po_judge(&made_run.check_results);
-  ck_assert_str_eq(po_verdict_name(verdict_of(pin)), po_verdict_name(TOGETHER[_i].pin));
+  ck_assert_str_eq(PO_VERDICTS[verdict_of(pin)], PO_VERDICTS[TOGETHER[_i].pin]);
   if (!alone)
-    ck_assert_str_eq(po_verdict_name(verdict_of(oracle)), po_verdict_name(TOGETHER[_i].oracle));
+    ck_assert_str_eq(PO_VERDICTS[verdict_of(oracle)], PO_VERDICTS[TOGETHER[_i].oracle]);
 }
 END_TEST
 
@@ -121,7 +121,7 @@ START_TEST(more_work_is_worse_and_less_is_better) {
   const size_t place =
       found(WORK, 0, "work_points", "points", COUNTS[_i].done, COUNTS[_i].pinned, 0);
   po_judge(&made_run.check_results);
-  ck_assert_str_eq(po_verdict_name(verdict_of(place)), po_verdict_name(COUNTS[_i].verdict));
+  ck_assert_str_eq(PO_VERDICTS[verdict_of(place)], PO_VERDICTS[COUNTS[_i].verdict]);
 }
 END_TEST
 
