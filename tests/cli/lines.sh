@@ -73,7 +73,7 @@ same 'guduru' "$(column "$curve" load 18)" "$(from_theory load guduru --tabor 2.
 same 'wavelength of a group' "$(awk '/"wavelength"/ { gsub(/[",]/, ""); l = $2 } END { print l * l }' "$record")" \
   "$(awk 'BEGIN { print 61.3 / 4 }')" 1e-5
 
-# bad SED-SCRIPT MESSAGE: edits the case and tests that it is refused.: edits the case and tests that it is refused.: edits the case and tests that it is refused.: edits the case and tests that it is refused.
+# bad SED-SCRIPT MESSAGE: edits the case and tests that it is refused.
 cp "$file" kept.yaml
 bad() {
   sed "$1" kept.yaml >"$file"
@@ -83,6 +83,8 @@ bad 's/from: 0.01/from: 0/' '*: lines[[]1[]].sweep[[]1[]].from is 0: expected a 
 bad 's/to: 100/to: 0.001/' '*: lines[[]1[]].sweep[[]1[]].to is 0.001: expected a finite number > from'
 bad 's/count: 5/count: 1/' '*: lines[[]1[]].sweep[[]1[]].count is 1: expected a whole number from 2 to 10000'
 bad 's/scale: log/scale: round/' '*: lines[[]1[]].sweep[[]1[]].scale is round: expected linear or log'
+bad 's/1, 2.385/1, -2/' '*: lines[[]1[]].sweep[[]2[]].values[[]2[]] is -2: expected a finite number >= 0'
+bad 's/1, 2.385/1, two/' '*: lines[[]1[]].sweep[[]2[]].values[[]2[]] is two: expected a *number*'
 bad 's/count: 41/count: 41, values: [1]/' '*values*: expected either values, or from, to and count'
 bad 's/theory: rigid/theory: alchemy/' '*: lines[[]1[]].theory is alchemy: expected bradley, *'
 bad 's/name: curve/name: rigid/' '*: lines[[]2[]].name is rigid: expected each name once'
