@@ -99,7 +99,7 @@ expect 2 'pulloff: options of a scene have no effect on a case: *' plot fig04 --
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot --run=run --tabor=2 fig04
 expect 2 'pulloff: unknown option --run of solve *' solve --run run
 . "$here/data.sh"
-# A map of two numbers; three of one number and eight of the other are curves.
+# A map of two numbers; seven of one number and eight of the other are curves.
 write_map() { # FROM TO COUNT of the radius
   cat >"$PULLOFF_DATA/cases/good.yaml" <<CASE
 name: good
@@ -151,7 +151,7 @@ if command -v gnuplot >/dev/null; then
   check 'the colours reach to the greatest force' test "$(grep -c "fill = 'rgb(253, 231,  37)'" map.svg)" -le 2
   check 'the axes' test "$(grep -c -e 'tabor' -e 'amplitude_ratio' -e 'pull-off force/πwR' map.svg)" -ge 3
 fi
-write_map 0.001 0.03 3
+write_map 0.001 0.03 7
 expect 0 '*' plot good --run curves
 check 'few values of one number are curves' grep -q '^pull-off force in pi w R against tabor$' stdout
 write_case "$PULLOFF_DATA/cases/good.yaml"
