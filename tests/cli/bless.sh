@@ -85,7 +85,7 @@ alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
 verified 0 'improved: the error against table decreased from 1e-05 to 0: bless it'
 expect 0 '*' verify good --output run --tap --junit junit.xml
 says 'ok in TAP' '^ok 2 - good pull_off_force/pin/scene$'
-says 'with the word' '^# improved: obtained 2, expected 2.00001'
+says 'with the word and the note' '^# improved: obtained 2, expected 2.00001.*, tolerance [^;]*; the error against table decreased'
 check 'JUnit has a passed test with the verdict' grep -q '<system-out>improved: ' junit.xml
 check 'the record has the verdict' grep -q '"verdict": "improved"' run/good/record.json
 write_table "$table" tabor,force,approach 0,2.0000000005,0
