@@ -7,7 +7,10 @@ data=$work/prefix/share/pulloff
 
 # Debug information, which meson leaves in a static library, has paths.
 find "$work/prefix" -name '*.a' -exec strip --strip-debug {} +
-check 'no path of the source tree is installed' fails grep -rl -e "$source" -e "$build" "$work/prefix"
+# A path begins where the text before it is no part of a path: a tree at /pulloff is not PREFIX/share/pulloff.
+whole() { printf '(^|[^[:alnum:]_./~-])%s(/|[^[:alnum:]_.-]|$)' "$(printf '%s' "$1" | sed 's/[^[:alnum:]/]/\\&/g')"; }
+check 'no path of the source tree is installed' fails env LC_ALL=C \
+  grep -rlaE -e "$(whole "$source")" -e "$(whole "$build")" "$work/prefix"
 check 'nothing outside the prefix is installed' test -z "$(find "$work/root" -type f)"
 check 'no compiled Python is installed' test -z "$(find "$work/prefix" -name '*.pyc')"
 check 'the version' sh -c 'test "$(prefix/bin/pulloff --version)" = "pulloff $0"' \
