@@ -55,12 +55,10 @@ po_status po_session_take_points(const char *name, void *to) {
     at += length + 1;
   }
   session->range_count = count;
-  return good
-             ? PO_OK
-             : po_options_refuse(name, optarg,
-                                 count > PO_MOST_RANGES
-                                     ? "at most 64 of A-B or one number"
-                                     : "A-B or one number, counted from 0, or several with commas");
+  char expected[64] = "A-B or one number, counted from 0, or several with commas";
+  if (count > PO_MOST_RANGES)
+    snprintf(expected, sizeof expected, "at most %d of A-B or one number", PO_MOST_RANGES);
+  return good ? PO_OK : po_options_refuse(name, optarg, expected);
 }
 
 /* "2/5". */

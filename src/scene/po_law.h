@@ -44,10 +44,10 @@ typedef struct {
   double closest; /* the gap that no state reaches: that at which the law is singular; for the Morse
                      law, which is not, an overlap at which its repulsion is beyond any pressure of
                      a contact */
-  double
-      least; /* at which the law is evaluated: a closer gap can only be an error of a prediction */
-  double reach; /* the initial gap from which on the interaction is that of the far field, which
-                   one panel to infinity carries */
+  double least;   /* at which the law is evaluated: a closer gap can only be an error of a
+                     prediction */
+  double reach;   /* the initial gap from which on the interaction is that of the far field, which
+                     one panel to infinity carries */
   /* The far field: the traction tends to -factor * (1 + H)^-exponent. Exponent INFINITY: it falls
    * exponentially, and beyond the reach there is none. */
   double factor, exponent;
