@@ -104,12 +104,12 @@ static bool is_beyond(po_continuation *t, const po_event *ev) {
   return beyond;
 }
 
-/* The change of the number of unstable modes at given approach when the trace passes a point.
+/* The change of the number of unstable modes at given approach when the trace passes a point. The
+ * mode that changes is stable on that side of a fold on which d(load)/d(approach) goes to minus
+ * infinity: there the second derivative of the potential along the mode goes to zero from above.
  * Given: the kind of the point, and the rate of the load along the branch at it. Returned: 1, -1 or
  * 0. Source: doc/method.md, "Stability". Accuracy: compared with the motion of perturbed equilibria
  * in tests/unit/test_relaxation.c. */
-/* The mode that changes is stable on that side of a fold on which d(load)/d(approach) goes to minus
- * infinity: there the second derivative of the potential along the mode goes to zero from above. */
 static int change_of_modes(po_point_kind kind, double load_rate) {
   if (kind == PO_POINT_APPROACH_MAX)
     return load_rate < 0.0 ? 1 : -1;
