@@ -128,6 +128,8 @@ static void describe(const po_request *request, bool identity, po_text *command)
     if (!po_key_is_idle(request, key) &&
         (identity || key != PO_KEY_RADIUS || !po_input_has_coupling(request)))
       add_option(command, request, key, identity);
+  if (!isnan(request->profile_approach))
+    add_option(command, request, PO_KEY_PROFILE_APPROACH, identity);
   /* without the preload, a single solve would search beyond the default one */
   if (adds_preload(request)) {
     char load[PO_NUMBER_LENGTH];

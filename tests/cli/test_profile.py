@@ -275,3 +275,17 @@ def test_the_content_of_a_table_is_part_of_what_was_solved_and_its_path_is_not(g
     case.write_text(re.sub(r"(?m)^want: .*", "want: [pull_off, curve]", case.read_text()))
     expect(0, "*", f"run {case} --output elsewhere")
     assert any("--profile-file tip.csv " in path.read_text() for path in pathlib.Path("elsewhere/good").glob("curve-*.csv"))
+
+
+@pytest.mark.parametrize("option", ["curve", "profile-csv", "staircase"])
+def test_the_command_of_a_table_repeats_it(option):
+    given = "--profile-approach -1.5" if option == "profile-csv" else ""
+    expect(0, "", f"solve --tabor 0.3 --amplitude 0.4 --wavelength 12 --outer-radius 40 --scheme triangle --nodes 61 {given} "
+                  f"--{option} a.csv")
+    made = pathlib.Path("a.csv").read_text()
+    if given:
+        [approach] = re.findall("^# what: gap and traction over the radius at approach (.*)$", made, re.M)
+        assert abs(float(approach) + 1.5) < 1e-12
+    [command] = re.findall("^# command: pulloff (.*)$", made, re.M)
+    expect(0, "", f"{command} --{option} b.csv")
+    assert pathlib.Path("b.csv").read_text() == made
