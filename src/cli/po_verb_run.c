@@ -10,9 +10,7 @@ static const char HELP[] =
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --output DIR      folder to which the records are written (default "
-    "build/run)\n" PO_SESSION_JOBS_HELP
-    "  --points A[-B][,C[-D]]...  solve only points A to B, C to D of each case, counted from 0\n"
-    "                    (default: all); a later run of all points reuses them\n"
+    "build/run)\n" PO_SESSION_JOBS_HELP PO_SESSION_POINTS_HELP
     "  --shard K/N       solve only the K-th of N parts of all points, so that N machines can\n"
     "                    share a run; pulloff merge combines the parts\n" PO_SESSION_SOLVE_HELP
     "  -h, --help        print this text\n"

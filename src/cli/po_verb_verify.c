@@ -27,9 +27,7 @@ static const char HELP[] =
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP
-    "  --points A[-B][,C[-D]]...  solve only points A to B, C to D of each case, counted from 0\n"
-    "                    (default: all); a later run of all points reuses "
-    "them\n" PO_SESSION_SOLVE_HELP
+        PO_SESSION_POINTS_HELP PO_SESSION_SOLVE_HELP
     "  --identical       exit code 1 also if a result or a pin is not the same to the last bit;\n"
     "                    prints how far each case is off, and which oracles can judge it\n"
     "  --verbose         print a line for every check\n"

@@ -52,10 +52,14 @@ po_option_taker po_session_take_jobs, po_session_take_points, po_session_take_sh
 /* A session with the defaults. */
 po_session po_session_default(void);
 
-/* The lines in the help of a verb: of --jobs; of --time-limit, --solver, --knob and --fresh. */
+/* The lines in the help of a verb: of --jobs; of --points; of --time-limit, --solver, --knob and
+ * --fresh. */
 #define PO_SESSION_JOBS_HELP                                                                       \
   "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"  \
   "                    results do not depend on it\n"
+#define PO_SESSION_POINTS_HELP                                                                     \
+  "  --points A[-B][,C[-D]]...  solve only points A to B, C to D of each case, counted from 0\n"   \
+  "                    (default: all; at most 64 ranges); a later run of all points reuses them\n"
 #define PO_SESSION_SOLVE_HELP                                                                      \
   "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"      \
   "                    limit in the case file, if any)\n"                                          \
