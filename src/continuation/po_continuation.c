@@ -28,8 +28,8 @@ po_continuation_options po_continuation_options_default(void) {
 }
 
 /* The largest row sum of coupling |G_ij| |dp/dH_j| at the state last evaluated. If it is below 1,
- * Eq 15 at given approach is a contraction near that state and the equilibrium there is unique. */
-/* The coefficients of the influence matrix are positive, apart from some of neighbouring panels
+ * Eq 15 at given approach is a contraction near that state and the equilibrium there is unique.
+ * The coefficients of the influence matrix are positive, apart from some of neighbouring panels
  * that do not matter for a sum over a row. */
 static double equilibrium_feedback(po_equilibrium *e) {
   double largest = 0.0;

@@ -137,8 +137,8 @@ static void multiply(po_equilibrium *e, const double *change, double *product) {
 /* Corrects the factors of panels in the direction in which they respond most, by the product of the
  * Jacobian with it, if they are wrong there. Called after po_equilibrium_measure_noise, which finds
  * the direction. Returned: whether they were corrected; noise and gain must then be measured
- * again. */
-/* With M the factors, J the Jacobian and s the direction, M^-1 is corrected to (1 + u v') M^-1 so
+ * again.
+ * With M the factors, J the Jacobian and s the direction, M^-1 is corrected to (1 + u v') M^-1 so
  * that it takes J s to s, as in Broyden's method: v = s / (s . z), u = s - z, z = M^-1 J s. The
  * determinant of the factors is multiplied by (s . z) / (s . s). The scalar product is that of
  * changes relative to 1 + H. */
