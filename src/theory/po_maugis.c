@@ -72,7 +72,7 @@ static double width_of(const ring *m, double guess) {
     low = high;
     high = fmin(WIDER * high, high + step);
   }
-  return k < MOST_STEPS ? po_root(excess_gap, m, low, high) : NAN;
+  return po_root(excess_gap, m, low, high); /* NaN without a change of sign */
 }
 
 /* Secants from a predicted width: the first one spans this part of it, the last step is no more
