@@ -98,8 +98,8 @@ po_status po_linear_reserve(int threads) {
     return PO_OK;
   return po_fail(
       PO_NO_MEMORY,
-      "out of memory: OpenBLAS needs %zu MB of address space for each of %d threads, and "
-      "this process does not have it: raise the limit (ulimit -v)%s",
+      "out of memory: OpenBLAS needs %zu MB of address space for each thread (%d), and this "
+      "process does not have it: raise the limit (ulimit -v)%s",
       WORK_AREA >> 20, threads, threads > 1 ? ", or solve fewer points at a time" : "");
 }
 
