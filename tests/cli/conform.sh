@@ -103,7 +103,8 @@ more=
 # Nor does it find them with the program itself.
 conform 1 neighbours 'wrong +JKR, .*: crashed: the solver ended with exit status 6: environ PermissionError mem PermissionError$'
 
-# It writes in its own folder alone, where the kernel can see to that.
+# It may change all in its own folder, and writes there alone, where the kernel can see to that.
+conform 0 inside 'ok +JKR' 'ok +between'
 echo precious >"$work/precious"
 TARGET=$work/precious
 export TARGET
@@ -121,6 +122,10 @@ more=
 # Wrong manifests and a wrong command line.
 expect 2 'pulloff: conform needs one manifest (see pulloff conform --help)' conform
 expect 4 'pulloff: absent.yaml cannot be opened: *' conform absent.yaml
+manifest good
+mkdir -p locked/solvers
+ln -s /proc/self locked/solvers/good # in which no folder can be created
+expect 4 'pulloff: a folder for the solver cannot be created in locked/solvers/good' conform good.yaml --output locked
 refuse() { # MESSAGE SED-SCRIPT: a manifest that the script has changed is refused.
   manifest good
   sed "$2" good.yaml >changed.yaml

@@ -86,6 +86,22 @@ wait $child
 check 'exit code 130 of an interrupted solve' test $? -eq 130
 check 'the JSON document states the interruption' grep -q '"status": "interrupted"' out.json
 
+# A series, in its first scene, which is traced, and later.
+for scenes in '10 --to 11 --points 2 --amplitude 3 --wavelength 8 --tolerance 1e-8' '2 --to 5 --points 9000'; do
+  for of in folds pull-off; do
+    # shellcheck disable=SC2086 # words
+    "$program" follow --of $of --key tabor --from $scenes >"$work/stdout" 2>"$work/stderr" &
+    child=$!
+    wait_for hears
+    sleep 0.4
+    kill -INT $child
+    wait $child
+    check "exit code 130 of an interrupted series of $of from tabor $scenes" test $? -eq 130
+    check 'its message' grep -qx 'pulloff: interrupted' "$work/stderr"
+    check 'no result is printed' test ! -s "$work/stdout"
+  done
+done
+
 "$program" run long --output alone --jobs 1 2>"$work/stderr"
 for i in 0 1 2 3 4 5; do
   check "curve $i does not depend on --jobs" cmp run/long/curve-$i.csv alone/long/curve-$i.csv

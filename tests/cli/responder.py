@@ -110,6 +110,12 @@ def spoil(mode, stream, k, found):
     if mode == "outside" and k == 1:
         with open(os.environ["TARGET"], "w", encoding="utf-8") as other:
             other.write("changed\n")
+    if mode == "inside" and k == 1:
+        os.mkdir("parts")
+        with open("whole", "w", encoding="utf-8") as other:
+            other.write("changed\n")
+        os.rename("whole", "parts/whole")
+        os.truncate("parts/whole", 0)
     if mode == "environment" and k == 1:
         print(" ".join(f"{key}={value}" for key, value in sorted(os.environ.items())))
         sys.exit(5)

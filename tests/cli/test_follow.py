@@ -147,6 +147,10 @@ def test_a_case_with_two_series(data):
     assert numbers("parts/good/record.json") == numbers(whole)
     expect(0, "good: 12 points, 1 checks: within (kept)", "run good --output parts")
 
+    # With other checkpoints the results differ, so that none of them is kept.
+    write(data, EVERY_4.replace("every: 4", "every: 3"))
+    expect(0, "good: 12 points, 1 checks: within", "run good --output parts --jobs 2")
+
     # Some scenes are also traced; both values must agree.
     write(data, EVERY_4 + "\ntraced: {seed: 7, count: 3}", against="pull_off_force")
     planned = expect(0, "", "plan good")

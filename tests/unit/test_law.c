@@ -123,6 +123,16 @@ START_TEST(averaged_law_is_the_mean_over_a_period) {
 }
 END_TEST
 
+/* The load of a rigid paraboloid is 2 phi, in pi w R of its radius. Of 1e4, attraction takes off at
+ * most 4 %. */
+START_TEST(repulsion_pushes_with_the_load) {
+  const po_law law = law_of(LAWS[_i]);
+  const double share = 0.3, load = share * 1e4;
+  const double approach = po_law_approach_of_push(&law, share, load);
+  ck_assert_double_eq_tol(2.0 * share * po_law_energy(&law, -approach), load, 0.04 * load);
+}
+END_TEST
+
 /* Parameters may be set one by one, in any order. */
 START_TEST(parameters_are_set_one_by_one) {
   const po_law whole = law_of("mie:4,10");
@@ -170,6 +180,7 @@ static void add(TCase *tests) {
                       LAW_COUNT * GAP_COUNT);
   tcase_add_loop_test(tests, law_is_normalised, 0, LAW_COUNT);
   tcase_add_test(tests, lennard_jones_is_the_law_of_the_paper);
+  tcase_add_loop_test(tests, repulsion_pushes_with_the_load, 0, LAW_COUNT);
   tcase_add_loop_test(tests, averaged_law_is_the_mean_over_a_period, 0, LAW_COUNT * AVERAGE_COUNT);
   tcase_add_test(tests, parameters_are_set_one_by_one);
   tcase_add_loop_test(tests, malformed_laws_are_refused, 0, sizeof BAD / sizeof *BAD);
