@@ -81,6 +81,7 @@ FAR = "*expected values of more similar size"
     ("pull_off_force of theory rigid cannot be computed: " + FAR, "rigid --amplitude 1 --wavelength 1e-300"),
     ("load of theory jkr cannot be computed: " + FAR, "jkr --contact-radius 1e200"),
     ("Maugis-Dugdale needs a full disc of contact *", "maugis --wave 3,10 --tabor 0.5"),
+    ("Maugis-Dugdale needs *, but the gap of the ring is -0.005* at radius 9.0*", "maugis --wave 0.3,12 --contact-radius 5"),
     ("--wave has no effect on theory guduru: *", "guduru --wave 1,20"),
     ("--tension is 0: expected a finite number > 0", "maugis --tension 0"),
     ("--coupling is 0: expected a finite number > 0", "jkr --profile cone:0.3 --coupling 0"),
