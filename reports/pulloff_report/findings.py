@@ -2,6 +2,8 @@
 
 import re
 
+from markupsafe import Markup
+
 from . import samples
 from .claims import contradicted, of_paper
 from .records import NO_VERDICT, PASSING, VERDICTS
@@ -66,13 +68,13 @@ def physics(run):
     parts = [" and ".join(lost) + "."] if lost else []
     worst, estimate = worst_check(run), worst_estimate(run)
     if worst:
-        parts.append(f"The largest error is {ratio(worst['ratio'])} of its tolerance ({worst['quantity']}, {worst['point']}, "
-                     f"case {worst['case'].name}).")
+        parts.append(Markup("The largest error is {} of its tolerance ({}, {}, case {}).").format(
+            ratio(worst["ratio"]), worst["quantity"], worst["point"], worst["case"].name))
     if estimate:
-        parts.append(f"Where an independent solution is known ({estimate['count']} forces and approaches), the true error is at most "
-                     f"{ratio(estimate['ratio'])} of the stated one.")
+        parts.append(Markup("Where an independent solution is known ({} forces and approaches), the true error is at most {} of the "
+                            "stated one.").format(estimate["count"], ratio(estimate["ratio"])))
     return {"kind": "physics", "name": "Physics", "state": "failing" if failing else "unsure" if unknown or failed else "", "link": "verdicts",
-            "link_text": "checks by case", "headline": headline, "text": " ".join(parts), "failures": named_ones, "more": more}
+            "link_text": "checks by case", "headline": headline, "text": Markup(" ").join(parts), "failures": named_ones, "more": more}
 
 
 def bookkeeping(run, same, planted, judged, tests):

@@ -143,6 +143,7 @@ typedef struct {
   size_t checkpoints;   /* every so many scenes of a series one is a checkpoint */
   po_point *points;
   size_t point_count;
+  double time_limit; /* of the command line, which replaces those of the points; else 0 or NAN */
 } po_case;
 
 /* The folder beside those of the cases that contains the records of external solvers. No case has

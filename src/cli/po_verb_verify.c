@@ -23,7 +23,7 @@ static const char HELP[] =
     "differs from the stored one by more than 1e-9. Without CASE, all reference tables are "
     "checked\n"
     "first. CASE is a name (see pulloff list) or the path of a YAML file. Without CASE and\n"
-    "--suite, all cases are taken except those of the suite random, which take long.\n"
+    "--suite, all cases are taken except those of random and theories, which take long.\n"
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP
@@ -101,7 +101,7 @@ static void add_command(const po_case_run *run, const po_point *point, const cha
   po_text_add(text, "    pulloff explain %s", po_case_word(run->plan->kase));
   if (point)
     po_text_add(text, " --point %s", point->id);
-  po_plan_add_solver(run->plan, text);
+  po_plan_add_options(run->plan, text);
   if (output) {
     po_text_add(text, " --output ");
     po_text_add_word(text, output);

@@ -131,9 +131,14 @@ static po_status add_manifest(po_session *session, const char *path) {
   return status;
 }
 
+/* Returned: where "@VALUE" begins in the argument of --solver; NULL if it is a manifest alone. */
+static const char *value_in(const char *text) {
+  return po_path_exists(text) ? NULL : strrchr(text, '@');
+}
+
 /* Adds the solver of "MANIFEST@VALUE", or of "MANIFEST" with --knob. */
 static po_status add_named(po_session *session, const char *text) {
-  const char *at = po_path_exists(text) ? NULL : strrchr(text, '@');
+  const char *at = value_in(text);
   if (!at)
     return add_manifest(session, text);
   po_solver *solver = NULL;
@@ -145,8 +150,14 @@ static po_status add_named(po_session *session, const char *text) {
 
 static po_status read_solvers(po_session *session) {
   po_status status = PO_OK;
-  if (session->knob && !session->manifest_count)
-    return po_fail(PO_BAD_INPUT, "--knob is given without --solver: expected both");
+  bool is_taken = !session->knob;
+  for (size_t m = 0; m < session->manifest_count; ++m)
+    is_taken = is_taken ||
+               (strcmp(session->manifests[m], "pulloff") != 0 && !value_in(session->manifests[m]));
+  if (!is_taken)
+    return po_fail(PO_BAD_INPUT,
+                   "--knob is %s: expected it with --solver MANIFEST, whose knob it is",
+                   session->knob);
   for (size_t m = 0; !status && m < session->manifest_count; ++m)
     status = strcmp(session->manifests[m], "pulloff") == 0
                  ? add_solver(session, NULL)
@@ -174,6 +185,7 @@ static po_status plan_all(po_session *session) {
     status = PO_NO_MEMORY;
   for (size_t i = 0; !status && i < count; ++i) {
     po_case *kase = session->catalog.cases[i];
+    kase->time_limit = session->time_limit;
     for (size_t k = 0; !isnan(session->time_limit) && k < kase->point_count; ++k)
       kase->points[k].request.time_limit = session->time_limit;
   }

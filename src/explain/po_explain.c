@@ -118,23 +118,26 @@ static void add_solve(const po_case_run *run, const po_finding *finding, po_text
 }
 
 /* Returned: the command that repeats a result or a failed solve; of a result of all points together
- * it repeats the first failed solve, or verifies if none failed. In *compare, for an external
- * solver, the solve of the point by this program; else it stays empty. */
+ * it repeats the first failed solve, or the case if none failed. In *compare the solve of the point
+ * alone by this program, if that is another one; else it stays empty. */
 static po_text command_of(const po_case_run *run, const po_finding *finding, const char *output,
                           po_text *compare) {
   po_text text = {0};
   if (finding->item && finding->item->whole && !run->points[finding->point].result.status) {
     po_text_add(&text, "pulloff verify %s", po_case_word(run->plan->kase));
-    po_plan_add_solver(run->plan, &text);
-  } else if (run->plan->solver) {
+    po_plan_add_options(run->plan, &text);
+    po_text_add(&text, " --fresh");
+  } else if (po_case_run_needs_rerun(run, finding->point)) {
     add_solve(run, finding, compare);
     po_plan_add_rerun(run->plan, finding->point, &text);
-    if (output) {
-      po_text_add(&text, " --output ");
-      po_text_add_word(&text, output);
-    }
-  } else
+  } else {
     add_solve(run, finding, &text);
+    return text;
+  }
+  if (output) {
+    po_text_add(&text, " --output ");
+    po_text_add_word(&text, output);
+  }
   return text;
 }
 

@@ -227,7 +227,7 @@ static void add_costs(const po_case_run *run, double *space, po_text *text) {
 static void add_command(const po_case_run *run, size_t point, po_text *text) {
   const po_request request = po_plan_request(run->plan, point);
   po_text_add(text, "  ");
-  if (run->plan->solver)
+  if (po_case_run_needs_rerun(run, point))
     po_plan_add_rerun(run->plan, point, text);
   else
     po_input_add_command(&request, text);

@@ -74,6 +74,10 @@ void po_case_run_clear(po_case_run *run) {
   *run = (po_case_run){0};
 }
 
+bool po_case_run_needs_rerun(const po_case_run *run, size_t point) {
+  return run->plan->solver || run->points[point].result.followed;
+}
+
 void po_case_run_place(po_case_run *run, const char *output) {
   if (!*run->folder.text)
     run->folder = po_path_join(output, run->plan->kase->file->name);

@@ -74,6 +74,10 @@ typedef struct {
 po_status po_case_run_create(po_plan *plan, po_case_run *run);
 void po_case_run_clear(po_case_run *run);
 
+/* Reports whether `pulloff solve` does not repeat the result of a point, which is of an external
+ * solver, or was followed along a series. */
+bool po_case_run_needs_rerun(const po_case_run *run, size_t point);
+
 /* Sets the folder of the records to OUTPUT/CASE, unless it is set. */
 void po_case_run_place(po_case_run *run, const char *output);
 

@@ -21,22 +21,24 @@ po_request po_plan_request(const po_plan *plan, size_t point) {
 static const unsigned HYSTERESIS = 1U << PO_HYSTERESIS_FORCE | 1U << PO_HYSTERESIS_APPROACH |
                                    1U << PO_HYSTERESIS_LOSS | 1U << PO_JUMPS;
 
-void po_plan_add_solver(const po_plan *plan, po_text *text) {
+void po_plan_add_options(const po_plan *plan, po_text *text) {
   const po_solver *solver = plan->solver;
-  if (!solver)
-    return;
-  po_text_add(text, " --solver ");
-  po_text_add_word(text, solver->path.text);
-  if (solver->knob && strchr(solver->name, '@')) {
+  if (solver) {
+    po_text_add(text, " --solver ");
+    po_text_add_word(text, solver->path.text);
+  }
+  if (solver && solver->knob && strchr(solver->name, '@')) {
     po_text_add(text, " --knob ");
     po_text_add_word(text, solver->knob);
   }
+  if (plan->kase->time_limit > 0.0)
+    po_text_add(text, " --time-limit %.15g", plan->kase->time_limit);
 }
 
 void po_plan_add_rerun(const po_plan *plan, size_t point, po_text *text) {
   po_text_add(text, "pulloff verify %s --points %s", po_case_word(plan->kase),
               plan->kase->points[point].id);
-  po_plan_add_solver(plan, text);
+  po_plan_add_options(plan, text);
   po_text_add(text, " --fresh --verbose");
 }
 

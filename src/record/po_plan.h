@@ -28,11 +28,13 @@ po_status po_plan_create(const po_case *kase, const char *data_folder, const po_
                          po_plan **result);
 void po_plan_destroy(po_plan *plan);
 
-/* Adds the options that name an external solver, " --solver MANIFEST --knob VALUE"; nothing for
- * this program. The name of the solver says whether the knob has another value than the last. */
-void po_plan_add_solver(const po_plan *plan, po_text *text);
+/* Adds the options of a run that its results depend on: " --solver MANIFEST --knob VALUE" of an
+ * external solver, whose name says whether the knob has another value than the last, and
+ * " --time-limit S" if it replaces those of the case. */
+void po_plan_add_options(const po_plan *plan, po_text *text);
 
-/* Adds the command that asks an external solver for one point again and prints its verdicts. */
+/* Adds the command that solves one point of the case again, and the series to which it belongs, and
+ * prints its verdicts. */
 void po_plan_add_rerun(const po_plan *plan, size_t point, po_text *text);
 
 /* Reports whether a check or a measurement is made: an external solver computes its quantity, and

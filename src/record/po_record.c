@@ -60,7 +60,7 @@ static po_status write_lines(const po_case *kase, const char *folder,
 static json_t *command_json(const char *verb, const po_plan *plan) {
   po_text text = {0};
   po_text_add(&text, "pulloff %s %s", verb, po_case_word(plan->kase));
-  po_plan_add_solver(plan, &text);
+  po_plan_add_options(plan, &text);
   return po_json_take_text(po_text_take(&text));
 }
 

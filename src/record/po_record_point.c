@@ -189,12 +189,14 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
 }
 
 /* Returned: the command that repeats the solve of a point. */
-static json_t *command_json(const po_plan *plan, size_t point, const po_request *shown) {
+static json_t *command_json(const po_case_run *run, size_t index) {
   po_text text = {0};
-  if (plan->solver)
-    po_plan_add_rerun(plan, point, &text);
+  po_request shown = shown_request(run->plan->kase, &run->plan->kase->points[index]);
+  shown.want = run->plan->want;
+  if (po_case_run_needs_rerun(run, index))
+    po_plan_add_rerun(run->plan, index, &text);
   else
-    po_input_add_command(shown, &text);
+    po_input_add_command(&shown, &text);
   return po_json_take_text(po_text_take(&text));
 }
 
@@ -226,7 +228,7 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
     po_json_set(&object, COLUMNS[c].name, times(run, index, c, false));
   if (run->starts)
     po_json_set(&object, "timing", timing_json(run, index));
-  po_json_set(&object, "command", command_json(run->plan, index, &shown));
+  po_json_set(&object, "command", command_json(run, index));
   if (point->traced)
     po_json_set(&object, "traced", sealed_result(&shown, &run->points[index].trace));
   if (kase->is_physical) {

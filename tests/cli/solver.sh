@@ -73,7 +73,10 @@ expect 2 'pulloff: --solver names good twice: expected each solver once' \
   verify judged.yaml --solver good.yaml --solver good.yaml
 expect 2 'pulloff: explain takes one solver: expected --solver once' \
   explain judged.yaml --solver good.yaml --solver pulloff
-expect 2 'pulloff: --knob is given without --solver: expected both' run judged.yaml --knob 3
+for solver in '' '--solver pulloff' '--solver good.yaml@10'; do
+  # shellcheck disable=SC2086 # words
+  expect 2 'pulloff: --knob is 3: expected it with --solver MANIFEST, whose knob it is' run judged.yaml $solver --knob 3
+done
 expect 4 'pulloff: absent.yaml cannot be opened: *' run judged.yaml --solver absent.yaml
 
 # A planted factor: verify fails, explain names it.

@@ -181,6 +181,37 @@ def test_a_case_with_two_series(data):
     assert '"force": 1' in pathlib.Path(record).read_text(), "the results are those of before"
 
 
+@pytest.mark.parametrize("want", ["hysteresis", "preload", "diagnostics", "theories"])
+def test_the_command_of_a_traced_point_repeats_it(data, want):
+    write(data, "", want)
+    run("run good --output whole")
+    for point in load("whole/good/record.json")["points"][::5]:
+        assert point["command"].startswith("pulloff solve ")
+        assert document(point["command"].removeprefix("pulloff ")).get("digest") == point["digest"]
+
+
+def test_the_command_of_a_followed_point_repeats_it(data):
+    write(data, EVERY_4)
+    expect(0, "*", "run good --output whole --time-limit 60")
+    followed = [p for p in load("whole/good/record.json")["points"] if p["followed"]]
+    for point in followed[::3]:
+        assert point["command"] == f"pulloff verify good --points {point['id']} --time-limit 60 --fresh --verbose"
+        expect(0, "*", point["command"].removeprefix("pulloff "), "--output", "again")
+        assert f'"digest":"{point["digest"]}"' in pathlib.Path("again/good/points.jsonl").read_text()
+    assert len(followed) > 3
+
+
+def test_printed_commands_have_the_time_limit(data):
+    write(data, "")
+    failed = expect(3, "*", "verify good --output timed --time-limit 1e-9")
+    assert failed.count(r"^ +pulloff explain good .*--time-limit 1e-09 --output timed$")
+    assert load("timed/good/record.json")["command"] == "pulloff run good --time-limit 1e-09"
+    told = expect(3, "*", "explain good --output timed --time-limit 1e-9")
+    assert told.count(r"^  rerun +pulloff solve .* --time-limit 1e-09")
+    told = expect(0, "*", "explain good --output done --all")
+    assert told.count(r"^  rerun +pulloff verify good --fresh --output done$") == 1
+
+
 def test_the_table_of_pull_offs():
     words = "follow --key tabor --from 1 --to 2 --points 4 --curve "
     printed = run(words + "-")

@@ -7,6 +7,7 @@ import sys
 import tempfile
 import types
 import unittest
+import unittest.mock
 
 import numpy
 
@@ -306,6 +307,13 @@ class Paper(unittest.TestCase):
             return Figure("x", "1", "made up", "".join(f'<svg viewBox="0 0 680 {height}"/>' for height in heights), "")
         self.assertEqual([made(*heights).is_tall for heights in ((480,), (640,), (400,), (400, 400))],
                          [False, True, False, True])
+
+    def test_small_errors_on_the_first_page_have_an_exponent(self):
+        worst = {"ratio": 1e-4, "quantity": "force", "point": "a < b", "case": types.SimpleNamespace(name="made")}
+        with unittest.mock.patch.multiple(findings, worst_check=lambda run: worst, worst_estimate=lambda run: {"count": 3, "ratio": 2e-5}):
+            text = str(findings.physics(types.SimpleNamespace(checks=list, cases=[]))["text"])
+        self.assertIn("10<sup>\u22124</sup> of its tolerance (force, a &lt; b, case made). Where", text)
+        self.assertIn("10<sup>\u22125</sup> of the stated one.", text)
 
     def test_a_version_without_its_build_options(self):
         self.assertEqual([findings.short_version("GSL", text) for text in ("gcc 12.2.0", "2.7.1", "OpenBLAS 0.3.21 NO_LAPACKE", "git")],
