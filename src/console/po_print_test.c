@@ -125,8 +125,14 @@ static void print_loop(const po_loop *loop, const units *u) {
 static void print_wanted(const po_request *request, const po_result *o, const units *u) {
   if (request->want & PO_WANT_CURVE)
     printf("curve    %zu points; --curve FILE or --json writes them\n", o->curve_count);
-  if (!(request->want & PO_WANT_PROFILE) || o->profile_count == 0)
+  if (!(request->want & PO_WANT_PROFILE))
     return;
+  if (o->profile_count == 0) {
+    if (isfinite(request->profile_approach))
+      printf("profile  none: the trace does not pass approach %.8g%s, see --approach-end\n",
+             request->profile_approach * u->length, u->of_length);
+    return;
+  }
   printf("profile  %zu radii at approach %.8g%s; --profile FILE or --json writes them\n",
          o->profile_count, o->profile_approach * u->length, u->of_length);
   printf("annuli   in contact: ");

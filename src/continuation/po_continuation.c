@@ -122,13 +122,26 @@ static double undeformed_gap(void *data, double r) {
   return po_initial_gap(u->scene, r) - u->approach;
 }
 
-/* Makes panels that resolve the traction of the undeformed gap the current mesh. */
+static uint32_t finest_level(const po_panels *panels) {
+  uint32_t finest = 0;
+  for (size_t k = 0; k < panels->count; ++k)
+    finest = panels->panel[k].level > finest ? panels->panel[k].level : finest;
+  return finest;
+}
+
+/* Makes panels that resolve the traction of the undeformed gap the current mesh. On a surface that
+ * is cut far out the first panels are many times as long as the attraction is wide. */
 static po_status mesh_undeformed(po_continuation *t, double approach) {
   undeformed u = {t->c.e->scene, approach};
   const po_gap_field field = {undeformed_gap, &u};
   po_panels *const panels = t->c.e->surface->draft;
   po_panels_copy(po_surface_panels(t->c.e->surface), panels);
-  const po_status status = po_resolution_panels(&t->c.resolution, &field, panels);
+  po_status status;
+  uint32_t before;
+  do {
+    before = finest_level(panels);
+    status = po_resolution_panels(&t->c.resolution, &field, panels);
+  } while (!status && finest_level(panels) >= before + PO_MOST_HALVINGS);
   return status ? status : po_corrector_mesh(&t->c, panels);
 }
 

@@ -7,7 +7,7 @@
 #include "po_law.h"
 #include "po_profile.h"
 
-enum { LAST_COEFFICIENTS = 3, MOST_DEPTH = 6 };
+enum { LAST_COEFFICIENTS = 3 };
 
 /* Excess of a parent panel below which it replaces its two halves. */
 static const double PARENT_MARGIN = 0.1;
@@ -172,6 +172,6 @@ po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field
                                po_panels *panels) {
   resolved_field f = {r, field};
   join_what_can_be(&f, panels);
-  return po_panels_refine(panels, MOST_DEPTH, is_too_coarse, &f) ? PO_OK
-                                                                 : po_resolution_fail(panels);
+  return po_panels_refine(panels, PO_MOST_HALVINGS, is_too_coarse, &f) ? PO_OK
+                                                                       : po_resolution_fail(panels);
 }

@@ -37,6 +37,9 @@ enum { PO_MOST_MESHES_A_POINT = 4 };
  * number or because one of them is of the shortest. */
 po_status po_resolution_fail(const po_panels *panels);
 
+/* How often po_resolution_panels splits a panel at most. */
+enum { PO_MOST_HALVINGS = 6 };
+
 /* Adapts panels to a field. Panels with an excess above 1 are split, and two panels are joined if
  * the excess of their parent is below 0.1. Given and returned: panels. Status: PO_OUT_OF_NODES. */
 po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,

@@ -11,8 +11,10 @@
 
 /* Bound of the change of the load by elasticity, over mu^(3/2): the deflection is at most 2
  * coupling integral |p| dr, about 3 mu^(3/2) eps, and the load changes by at most 2 for each eps of
- * it. A scene with less than NEGLIGIBLE_LOAD is solved as rigid. */
-static const double ELASTIC_EFFECT = 6.0, NEGLIGIBLE_LOAD = 1e-8;
+ * it. A law whose greatest tension is q times USUAL_TENSION, about that of Lennard-Jones, acts over
+ * 1/q of the gap, q^(-1/2) of the radius: the deflection is q^(1/2) times as great, and the load
+ * changes q times as fast with it. A scene with less than NEGLIGIBLE_LOAD is solved as rigid. */
+static const double ELASTIC_EFFECT = 6.0, USUAL_TENSION = 1.03, NEGLIGIBLE_LOAD = 1e-8;
 
 /* Relative and absolute accuracy of each piece of the quadrature. Without the latter, some loads
  * take more bisections, and their last bits differ. */
@@ -20,7 +22,10 @@ static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-14;
 
 double po_rigid_elastic_effect(const po_scene *scene) {
   const double reach = po_initial_gap_radius(scene, 0.5); /* sqrt(R) for a sphere */
-  return ELASTIC_EFFECT * scene->tabor * sqrt(scene->tabor) * (reach / sqrt(scene->radius));
+  const double tension = -po_law_at(&scene->law, po_law_numbers_of(&scene->law)->peak_gap).traction;
+  const double q = fmax(1.0, tension / USUAL_TENSION);
+  return q * sqrt(q) * ELASTIC_EFFECT * scene->tabor * sqrt(scene->tabor) *
+         (reach / sqrt(scene->radius));
 }
 
 bool po_rigid_suffices(const po_scene *scene) {

@@ -111,7 +111,8 @@ static double excess_error(const po_request *request, const po_result *result) {
 
 /* The greatest approach at which the trace may begin; NAN: any. */
 static double latest_start(const po_request *request) {
-  const double preload = request->preload.approach, end = request->approach_end;
+  const double preload = request->preload.approach;
+  const double end = fmin(request->approach_end, request->profile_approach);
   const double begin = (isfinite(preload) ? fmin(end, preload) : end) - START_MARGIN;
   if (!(request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD)))
     return begin;

@@ -93,9 +93,14 @@ static const double LINEAR = 0.2;
  * others has the greater of its changes: it changes that of all by 0.5 % at most. */
 static const double SMALL = 0.1;
 
+/* Of a force without an error, relative to it. */
+static const double ROUNDING = 1e-12;
+
 /* The standard uncertainty. Given: the changes, and the standard uncertainty by the adjoint, NAN:
- * not known. Changes as small as the error of the force are not compared. */
-static double force_of(const po_uncertain *u, double adjoint, double error) {
+ * not known. Changes as small as the error of the force, or as rounding if it has no error, are not
+ * compared. */
+static double force_of(const po_uncertain *u, double adjoint, const po_result *o) {
+  const double error = fmax(o->pull_off.force_error, ROUNDING * o->pull_off.force);
   const double mean = 0.5 * fabs(u->above - u->below) / PO_VARIATION_REACH;
   const double bend = 0.5 * fabs(u->above + u->below) / PO_VARIATION_REACH;
   const double off = isnan(adjoint) ? 0.0 : fabs(adjoint - mean);
@@ -140,7 +145,7 @@ static po_status vary_input(const po_request *request, const po_variation *v, po
     const double unit = v->unit[k] * po_scene_load_unit(&moved.scene) / solved;
     status = solve(request, &moved, unit, o, k ? &u->above : &u->below);
   }
-  u->force = force_of(u, (double)NAN, o->pull_off.force_error);
+  u->force = force_of(u, (double)NAN, o);
   return status;
 }
 
@@ -159,7 +164,7 @@ static po_status vary_profile(const po_request *request, po_result *o) {
       status = solve(request, &moved, 1.0, o, k ? &u->above : &u->below);
     po_profile_table_free(displaced);
   }
-  u->force = force_of(u, o->noise.deviation, o->pull_off.force_error);
+  u->force = force_of(u, o->noise.deviation, o);
   return status;
 }
 

@@ -161,7 +161,8 @@ static po_status arrive(walk *w, const stretch *s, size_t from, po_path_state be
   return status ? status : add_cycle(w, s, before);
 }
 
-/* Follows loading on a stretch from a place to its end. */
+/* Follows loading on a stretch from a place to its end. A step begins at a minimum that was
+ * located: beside others the load also rises where the mesh changes, by its error. */
 static po_status load_along(walk *w, const stretch *s, po_path_place from) {
   po_path_state last = state(w, from);
   for (size_t k = from.index + 1; k <= s->end; ++k) {
@@ -175,7 +176,7 @@ static po_status load_along(walk *w, const stretch *s, po_path_place from) {
                         : last);
       w->decreasing = true;
       w->deepest = here;
-    } else if (w->decreasing && last.load < 0.0) {
+    } else if (w->decreasing && last.load < 0.0 && w->path->point[k - 1].minimum) {
       po_status status = begin_step(w, last, false);
       if (!status)
         status = add_cycle(w, s, last);

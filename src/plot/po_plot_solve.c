@@ -225,8 +225,11 @@ po_plot_picture po_plot_of_solve(const po_request *request, const po_result *o) 
                     o->theory.has_staircases ? &o->theory.staircase.of[k] : NULL);
   if (!picture.status && !picture.count)
     picture.status =
-        po_fail(PO_BAD_INPUT, "the result has no curve, profile or staircase to plot: %s",
-                *o->reason ? o->reason : po_status_text(o->status));
+        po_fail(PO_BAD_INPUT, "the result has no curve, profile or staircase to plot%s%s",
+                o->status ? ": " : "",
+                !o->status   ? ""
+                : *o->reason ? o->reason
+                             : po_status_text(o->status));
   return picture;
 }
 

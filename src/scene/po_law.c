@@ -4,6 +4,7 @@
 
 #include "po_law_kind.h"
 #include "po_parameters.h"
+#include "po_root.h"
 
 #define KIND(law, text) &PO_##law,
 static const po_law_kind *const KINDS[] = {PO_LAW_ROWS(KIND)};
@@ -119,13 +120,26 @@ double po_law_expected_gap(const po_law *law, double gap) {
   return fmax(gap, po_law_numbers_of(law)->least);
 }
 
-double po_law_approach_of_push(const po_law *law, double share, double load) {
-  return kind_of(law)->approach_of_push(law, share, load);
+typedef struct {
+  const po_law *law;
+  double energy;
+} sought;
+
+static double excess_energy(double approach, const void *data) {
+  const sought *s = data;
+  return po_law_energy(s->law, -approach) - s->energy;
 }
 
-/* Even the sharpest crests repel before they are so near to the singularity. */
-static const double NEAREST = 1e-3;
+/* The longest rigid trace ends at this part of the greatest overlap: even the sharpest crests repel
+ * before they are so near to the singularity. */
+static const double TRACED_PART = 0.999;
 
-double po_law_approach_of_distance(double distance) {
-  return 1.0 - fmax(NEAREST, distance);
+/* The load of a rigid paraboloid is 2 phi. */
+double po_law_approach_of_push(const po_law *law, double share, double load) {
+  const po_law_kind *kind = kind_of(law);
+  const sought s = {law, 0.5 * load / share};
+  const double most = -TRACED_PART * po_law_numbers_of(law)->closest;
+  if (kind->approach_of_push)
+    return fmin(kind->approach_of_push(share, load), most);
+  return excess_energy(most, &s) > 0.0 ? po_root(excess_energy, &s, 0.0, most) : most;
 }

@@ -26,8 +26,9 @@ struct po_law_kind {
    * only; every other law gives its scale, and sets closest, least and reach. */
   po_law_scale (*scale)(const po_law *law, double gap);
   po_law_closeness (*closeness)(const po_law *law, double gap); /* at gaps > 0 */
-  /* An estimate: where a rigid trace ends, and how large the domain is. */
-  double (*approach_of_push)(const po_law *law, double share, double load);
+  /* The approach of po_law_approach_of_push by the repulsion alone, which exceeds all attraction at
+   * the loads for which it is called; NULL: it is found from the energy. */
+  double (*approach_of_push)(double share, double load);
 };
 
 /* Gaps of a law of powers of 1 + H: the least one is a tenth of the distance from the singularity.
@@ -40,7 +41,5 @@ PO_LAW_ROWS(PO_LAW_KIND)
 
 /* Status: PO_BAD_INPUT with a message if the parameter was not given. */
 po_status po_law_require(const po_law *law, po_law_parameter parameter);
-
-double po_law_approach_of_distance(double distance); /* from the singularity of a power */
 
 #endif

@@ -64,9 +64,8 @@ static po_law_closeness closeness(const po_law *law, double gap) {
 }
 
 /* The repulsive term of Eq 23, 2/(3 x^8). */
-static double approach_of_push(const po_law *law, double share, double load) {
-  (void)law;
-  return po_law_approach_of_distance(sqrt(sqrt(sqrt(2.0 * share / (3.0 * load)))));
+static double approach_of_push(double share, double load) {
+  return 1.0 - sqrt(sqrt(sqrt(2.0 * share / (3.0 * load))));
 }
 
 const po_law_kind PO_LENNARD_JONES = {.name = "lennard-jones",

@@ -124,13 +124,6 @@ static po_law_closeness closeness(const po_law *law, double gap) {
   return (po_law_closeness){value, -g * value / size * factor(law) * (xm - xn)};
 }
 
-/* The repulsive part of the load of a rigid paraboloid is 2k/(n - 1) x^(n-1). */
-static double approach_of_push(const po_law *law, double share, double load) {
-  const double n = large(law);
-  return po_law_approach_of_distance(
-      po_pow(2.0 * factor(law) * share / ((n - 1.0) * load), 1.0 / (n - 1.0)));
-}
-
 const po_law_kind PO_MIE = {.name = "mie",
                             .parameters = 2,
                             .first = PO_MIE_M,
@@ -142,5 +135,4 @@ const po_law_kind PO_MIE = {.name = "mie",
                             .energy = energy,
                             .averaged = averaged,
                             .energy_averaged = energy_averaged,
-                            .closeness = closeness,
-                            .approach_of_push = approach_of_push};
+                            .closeness = closeness};

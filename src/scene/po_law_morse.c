@@ -15,8 +15,6 @@ static const double SOFTEST = 0.05, STEEPEST = 50.0;
 /* The gaps of a contact are between -DEEPEST/a and FARTHEST/a: beyond, the traction e^{-36} is
  * rounding, and no pressure of a contact is as high as e^{12}. */
 static const double FARTHEST = 36.0, DEEPEST = 6.0;
-/* The longest rigid trace ends at this part of the greatest overlap. */
-static const double TRACED_PART = 0.999;
 
 static double steepness(const po_law *law) {
   return law->parameter[PO_MORSE_A];
@@ -95,11 +93,6 @@ static po_law_closeness closeness(const po_law *law, double gap) {
   return (po_law_closeness){e * (2.0 - e), -2.0 * a * e * (1.0 - e)};
 }
 
-/* The repulsive part of the load of a rigid paraboloid is 2 e^{-2aH}. */
-static double approach_of_push(const po_law *law, double share, double load) {
-  return fmin(po_log(0.5 * load / share) / 2.0, TRACED_PART * DEEPEST) / steepness(law);
-}
-
 const po_law_kind PO_MORSE = {.name = "morse",
                               .parameters = 1,
                               .first = PO_MORSE_A,
@@ -111,5 +104,4 @@ const po_law_kind PO_MORSE = {.name = "morse",
                               .averaged = averaged,
                               .energy_averaged = energy_averaged,
                               .scale = scale,
-                              .closeness = closeness,
-                              .approach_of_push = approach_of_push};
+                              .closeness = closeness};

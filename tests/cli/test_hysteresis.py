@@ -71,3 +71,32 @@ def test_the_record_and_one_that_is_made_from_it():
      "--tabor 2.385 --approach-end 0.5 --preload-load 7")])
 def test_wrong_preloads(code, message, words):
     expect(code, "pulloff: " + message, "solve " + words)
+
+
+@pytest.mark.parametrize("law", ["lennard-jones", "mie:8,9", "mie:2.5,2.6", "mie:3,4", "mie:10,12", "mie:20,21", "mie:59,60",
+                                 "morse:0.3", "morse:1", "morse:30"])
+def test_rigid_spheres_of_any_law(law):
+    """The pull-off force is 2 (Bradley), and loading to the default preload is simulated, however short the repulsion is."""
+    found = document(f"solve --tabor 0 --law {law} --want hysteresis")
+    assert abs(found["pull_off"]["force"] - 2) < found["pull_off"]["error_estimate"] < 1e-9
+    assert abs(found["hysteresis"]["load_control"]["preload"]["load"] - 1) < 1e-8
+    assert found["pull_off_any"]["complete"]
+
+
+@pytest.mark.parametrize("law, factor", [("morse:50", 125.05), ("morse:10", 11.18), ("mie:30,60", 54.03)])
+@pytest.mark.parametrize("tabor", [1e-7, 3e-7, 1.3e-6])
+def test_nearly_rigid_spheres_of_short_range(law, factor, tabor):
+    """The first order in mu^(3/2), whose factor a perturbation of the rigid state gives."""
+    found = document(f"solve --tabor {tabor} --law {law}")["pull_off"]
+    assert abs(found["force"] - (2 - factor * tabor**1.5)) < found["error_estimate"] + 1e-3 * factor * tabor**1.5
+
+
+@pytest.mark.parametrize("radius", ["1e4", "1e5", "1e6"])
+def test_surfaces_cut_far_out(radius):
+    """The first mesh resolves an attraction that is much narrower than the surface."""
+    words = "solve --tabor 0.3 --approach-start -3 --want curve"
+    whole, cut = document(words), document(f"{words} --outer-radius {radius}")
+    for key in "force", "approach":
+        assert abs(whole["pull_off"][key] - cut["pull_off"][key]) < 1e-6
+    first = [found["curve"][0] for found in (whole, cut)]
+    assert first[0]["approach"] == first[1]["approach"] == -3 and abs(first[0]["load"] - first[1]["load"]) < 1e-6

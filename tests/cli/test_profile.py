@@ -285,7 +285,18 @@ def test_the_command_of_a_table_repeats_it(option):
     made = pathlib.Path("a.csv").read_text()
     if given:
         [approach] = re.findall("^# what: gap and traction over the radius at approach (.*)$", made, re.M)
-        assert abs(float(approach) + 1.5) < 1e-12
+        assert abs(float(approach) + 1.5) < 1e-9
     [command] = re.findall("^# command: pulloff (.*)$", made, re.M)
     expect(0, "", f"{command} --{option} b.csv")
     assert pathlib.Path("b.csv").read_text() == made
+
+
+def test_an_approach_of_the_profile_before_and_beyond_the_branch():
+    early = document("solve --profile-approach -7 --want profile")
+    assert len(early["profile"]) > 10 and abs(early["profile_approach"] + 7) < 1e-9 and early["start"] < -7
+    late = "solve --profile-approach 5"
+    assert expect(0, "", late).count(r"^profile  none: the trace does not pass approach 5, see --approach-end$") == 1
+    expect(2, "pulloff: late.csv is not written: the trace does not pass the approach of the profile, *", f"{late} --profile-csv late.csv")
+    assert not pathlib.Path("late.csv").exists()
+    expect(2, "pulloff: the result has no curve, profile or staircase to plot", f"plot --want profile {late.removeprefix('solve ')} a.svg")
+    assert document(late + " --approach-end 6")["profile_approach"] == pytest.approx(5, abs=1e-9)

@@ -151,3 +151,13 @@ def test_a_series_with_any_preload():
     ratios = [b["pull_off"]["force"] / a["pull_off"]["force"] for a, b in zip(some, most)]
     assert min(ratios) > 0.999 and max(ratios) > 2, ratios
     assert all(p["ended"] is None or p["ended"]["why"] == "preload" for p in some)
+
+
+@pytest.mark.parametrize("scene", ["--coupling 0.09255 --profile cone:0.08274 --wave 0.3486,8.475",
+                                   "--tabor 0.608 --radius 536.5 --wave 0.1816,10.58"])
+def test_a_change_of_the_mesh_is_no_step(scene):
+    """The load of a soft law far out rises where the mesh changes, without a minimum."""
+    for want in "preload", "curve,hysteresis,preload":
+        found = document(f"solve {scene} --law morse:0.4 --want {want}")
+        [step] = found["staircase"]["displacement_control"]["steps"]
+        assert step["force"] == found["pull_off"]["force"]

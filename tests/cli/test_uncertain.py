@@ -174,3 +174,9 @@ def test_deviation_in_another_unit():
     for wrong in "0.00003", "30":
         expect(4, f"pulloff: {name}: smooth is *, but the rows are off the smoothing spline by 0.0*, both in the unit of the file: "
                "expected a deviation within a factor of 3 of that, or auto", f"{TABLE} {name} --smooth {wrong}")
+
+
+def test_rounding_of_a_scheme_without_errors_is_linear():
+    """The load of rings does not depend on the radius, in its own unit."""
+    [by] = document("solve --tabor 1 --radius 100+-1 --scheme ring --nodes 60")["uncertainty"]["sources"]
+    assert by["force"] is not None and abs(by["force"]) < 1e-12
