@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -99,6 +100,16 @@ po_check_result *po_compare_add(const po_compare_input *c, const char *name, con
   return item;
 }
 
+void po_check_result_note(po_check_result *item, const char *format, ...) {
+  const size_t had = strlen(item->note);
+  char words[sizeof item->note];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(words, sizeof words, format, arguments);
+  va_end(arguments);
+  snprintf(item->note + had, sizeof item->note - had, "%s%s", had ? "; " : "", words);
+}
+
 void po_check_results_clear(po_check_results *check_results) {
   for (size_t i = 0; i < check_results->count; ++i)
     free(check_results->items[i].id);
@@ -163,23 +174,20 @@ static void judge_moved(const po_check_results *check_results, po_check_result *
     any = true;
     add_oracle(other, pin->expected, &summary);
   }
-  char why[sizeof pin->note];
   if (summary.increased) {
     pin->verdict = PO_REGRESSED;
-    snprintf(why, sizeof why, "%s", summary.note);
+    po_check_result_note(pin, "%s", summary.note);
   } else if (summary.decreased && !summary.outside) {
     pin->verdict = PO_IMPROVED;
-    snprintf(why, sizeof why, "%s: bless it", summary.note);
+    po_check_result_note(pin, "%s: bless it", summary.note);
   } else {
     pin->verdict = PO_MOVED;
-    snprintf(why, sizeof why, "%s",
-             summary.decreased ? "the error decreased, but the check against the oracle still fails"
-             : any             ? "no oracle can distinguish the two values"
+    po_check_result_note(pin, "%s",
+                         summary.decreased
+                             ? "the error decreased, but the check against the oracle still fails"
+                         : any ? "no oracle can distinguish the two values"
                                : "no oracle covers this number");
   }
-  char had[sizeof pin->note]; /* the note about a missing or spurious special point */
-  snprintf(had, sizeof had, "%s", pin->note);
-  snprintf(pin->note, sizeof pin->note, "%.100s%s%.97s", had, had[0] ? "; " : "", why);
 }
 
 static void judge_work(po_check_result *pin) {
@@ -236,7 +244,9 @@ static po_check_result *worst_of_check(po_check_results *check_results, size_t f
        ++*last) {
     po_check_result *item = &check_results->items[*last];
     measurable = measurable && item->verdict == PO_WITHIN;
-    const double error = fmax(fabs(item->error), resolution(item)) / item->allowance;
+    /* The tolerance of the case, which can be reduced: without the step of a solver. */
+    const double allowance = po_check_allowance(check, item->expected);
+    const double error = fmax(fabs(item->error), resolution(item)) / allowance;
     if (!is_exact(item) && error > *largest) {
       *largest = error;
       worst = item;
@@ -252,9 +262,9 @@ static void judge_tolerances(po_check_results *check_results) {
     if (!worst || largest * SLACK >= 1)
       continue;
     worst->verdict = PO_SLACK;
-    snprintf(worst->note, sizeof worst->note,
-             "the tolerance is %.0f times the largest error of this check, which is here",
-             1 / largest);
+    po_check_result_note(
+        worst, "the tolerance is %.0f times the largest error of this check, which is here",
+        1 / largest);
   }
 }
 

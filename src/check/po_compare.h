@@ -85,6 +85,10 @@ typedef struct {
 po_check_result *po_compare_add(const po_compare_input *c, const char *name, const char *suffix,
                                 double obtained, po_reference_number expected);
 
+/* Appends to the note of a result; "; " separates it from what the note has. */
+void po_check_result_note(po_check_result *item, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
 void po_check_results_clear(po_check_results *check_results);
 
 /* Returned: the value of a quantity that is a single number; NAN if the solve did not deliver it.

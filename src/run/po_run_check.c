@@ -22,14 +22,19 @@ static bool is_located(const po_check_result *item) {
          strcmp(item->quantity, "pull_off_approach") == 0;
 }
 
-static void allow_step(po_check_result *item, double step) {
-  if (step <= 0 || !is_located(item) || isnan(item->error))
-    return;
-  item->allowance += step;
-  item->ratio = fabs(item->error) / item->allowance;
-  if (item->verdict == PO_OUTSIDE && fabs(item->error) <= item->allowance) {
-    item->verdict = PO_WITHIN;
-    snprintf(item->note, sizeof item->note, "within the approach step of the solver, %g", step);
+/* Adds the step with which an external solver locates jumps to the tolerances of their approaches.
+ */
+static void allow_step(po_check_results *check_results, double step) {
+  for (size_t i = 0; step > 0 && i < check_results->count; ++i) {
+    po_check_result *item = &check_results->items[i];
+    if (!is_located(item) || isnan(item->error))
+      continue;
+    item->allowance += step;
+    item->ratio = fabs(item->error) / item->allowance;
+    if (item->verdict == PO_OUTSIDE && item->ratio <= 1)
+      item->verdict = PO_WITHIN;
+    po_check_result_note(item, "the approach step of the solver, %g, is added to the tolerance",
+                         step);
   }
 }
 
@@ -71,8 +76,9 @@ static po_status judge_reach(po_case_run *run, const volatile sig_atomic_t *stop
       continue;
     item->verdict = PO_NOT_REACHABLE;
     run->coverage.not_reachable += 1;
-    snprintf(item->note, sizeof item->note,
-             "the pull-off of the branch lies on equilibria that no test at given approach passes");
+    po_check_result_note(
+        item,
+        "the pull-off of the branch lies on equilibria that no test at given approach passes");
   }
   free(known);
   return status;
@@ -97,11 +103,8 @@ static void count_coverage(po_case_run *run) {
 }
 
 static po_status judge_solver(po_case_run *run, const volatile sig_atomic_t *stop) {
-  const po_solver *solver = run->plan->solver;
   count_coverage(run);
-  for (size_t i = 0; i < run->check_results.count; ++i)
-    allow_step(&run->check_results.items[i], solver->approach_step);
-  return solver->unstable ? PO_OK : judge_reach(run, stop);
+  return run->plan->solver->unstable ? PO_OK : judge_reach(run, stop);
 }
 
 /* Compares the share of solved points with 1, and adds one result for the case. The share refers to
@@ -175,7 +178,10 @@ po_status po_run_check(po_case_run *run, const volatile sig_atomic_t *stop) {
                                                                        ? &run->check_results
                                                                        : &run->measured});
   }
-  if (!status)
-    po_judge(&run->check_results);
-  return !status && run->plan->solver ? judge_solver(run, stop) : status;
+  if (status)
+    return status;
+  if (run->plan->solver)
+    allow_step(&run->check_results, run->plan->solver->approach_step);
+  po_judge(&run->check_results);
+  return run->plan->solver ? judge_solver(run, stop) : PO_OK;
 }
