@@ -145,7 +145,11 @@ static void explain_no_comparison(po_check_result *item, const po_compare_input 
   else if (item->verdict == PO_NO_RESULT && strcmp(item->quantity, "reverse_trace") == 0)
     explain_no_reverse_trace(item, result);
   else if (item->verdict == PO_NO_RESULT)
-    snprintf(item->note, size, "result and reference have no common range");
+    snprintf(item->note, size, "%s",
+             c->check->quantity == PO_CURVE ? "result and reference have no common range"
+             : c->check->quantity == PO_MOVED_FORCE && isnan(result->pull_off.force_error)
+                 ? "only scenes on panels have the error estimates to which moved_force is relative"
+                 : "the solve has no value of this quantity");
   else if (item->verdict == PO_MISSING_REFERENCE && reference->type == PO_REFERENCE_PINS)
     snprintf(item->note, size, "%s %.150s",
              po_pins_exist(reference) ? "not pinned in" : "there is no file",

@@ -111,6 +111,28 @@ START_TEST(reverse_trace_without_a_number) {
 }
 END_TEST
 
+/* The note of a number that the solve does not have states why; only curves have a range. */
+static const struct {
+  const char *quantity;
+  double force_error;
+  const char *note;
+} WITHOUT[] = {
+    {"moved_force", (double)NAN,
+     "only scenes on panels have the error estimates to which moved_force is relative"},
+    {"moved_force", 1e-9, "the solve has no value of this quantity"},
+    {"residual", 1e-9, "the solve has no value of this quantity"},
+};
+
+START_TEST(diagnostics_without_a_number) {
+  load(WITHOUT[_i].quantity, "zero", "1e-3", "abs");
+  po_result result = {.has_pull_off = true, .pull_off.force_error = WITHOUT[_i].force_error};
+  result.diagnostics.moved.excess = result.diagnostics.residual = (double)NAN;
+  compare(0, &result);
+  ck_assert_int_eq(check_results.items[0].verdict, PO_NO_RESULT);
+  ck_assert_str_eq(check_results.items[0].note, WITHOUT[_i].note);
+}
+END_TEST
+
 /* The load of the closed form has a rounding error: 3.5e-15 at approach 0.2, 2e-17 at large
  * separation. */
 START_TEST(tolerance_tighter_than_rounding) {
@@ -191,6 +213,8 @@ static void add(TCase *tests) {
   tcase_add_test(tests, failed_solve_has_no_result);
   tcase_add_test(tests, tolerance_tighter_than_the_reference);
   tcase_add_test(tests, reverse_trace_without_a_number);
+  tcase_add_loop_test(tests, diagnostics_without_a_number, 0,
+                      (int)(sizeof WITHOUT / sizeof *WITHOUT));
   tcase_add_loop_test(tests, tolerance_tighter_than_rounding, 0, 3);
   tcase_add_test(tests, curve_of_the_closed_form);
   tcase_add_loop_test(tests, share_of_the_scenes_solved, 0, (int)(sizeof SHARES / sizeof *SHARES));
