@@ -205,14 +205,19 @@ po_status po_compare_steps(const po_compare_input *c) {
   return status;
 }
 
+/* A tolerance in other units than the uncertainty is stated with what it allows. */
 static po_status refuse(const po_case *kase, const po_check *check, unsigned number,
-                        const po_reference *reference, double uncertainty) {
-  char text[PO_NUMBER_LENGTH];
-  po_number_print(uncertainty, text);
-  return po_fail(PO_BAD_INPUT,
-                 "%s:%zu: checks[%u].tolerance is %s: expected at least %s, the uncertainty of %s",
-                 kase->shown, check->tolerance_line, number, check->tolerance_text, text,
-                 reference->name);
+                        const po_reference *reference, po_reference_number expected) {
+  char text[PO_NUMBER_LENGTH], allows[64] = "";
+  po_number_print(expected.uncertainty, text);
+  if (check->kind != PO_TOLERANCE_ABS)
+    snprintf(allows, sizeof allows, " %.3s, which allows %.15g", check->kind_text,
+             po_check_allowance(check, expected.value));
+  return po_fail(
+      PO_BAD_INPUT,
+      "%s:%zu: checks[%u].tolerance is %s%s: expected at least %s, the uncertainty of %s",
+      kase->shown, check->tolerance_line, number, check->tolerance_text, allows, text,
+      reference->name);
 }
 
 static bool too_tight(const po_check *check, double expected, double uncertainty) {
@@ -231,9 +236,11 @@ static po_status check_points(const po_case *kase, const po_check *check, unsign
       po_reference_points(reference, check->quantity, request, &everywhere, &points, &count);
   for (size_t i = 0; !status && i < count; ++i) {
     if (too_tight(check, points[i].approach, points[i].approach_error))
-      status = refuse(kase, check, number, reference, points[i].approach_error);
+      status = refuse(kase, check, number, reference,
+                      (po_reference_number){points[i].approach, points[i].approach_error});
     else if (too_tight(check, points[i].load, points[i].load_error))
-      status = refuse(kase, check, number, reference, points[i].load_error);
+      status = refuse(kase, check, number, reference,
+                      (po_reference_number){points[i].load, points[i].load_error});
   }
   free(points);
   return status;
@@ -257,7 +264,7 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
                    ? rows_uncertainty(check->quantity, reference, request, &expected)
                    : po_reference_find(reference, check->quantity, request, &expected);
       if (!status && too_tight(check, expected.value, expected.uncertainty))
-        status = refuse(kase, check, number, reference, expected.uncertainty);
+        status = refuse(kase, check, number, reference, expected);
     }
     if (status && status != PO_NOT_FOUND)
       return status;

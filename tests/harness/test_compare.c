@@ -71,12 +71,25 @@ START_TEST(failed_solve_has_no_result) {
 }
 END_TEST
 
+/* The first number that is compared is -1.6, with an uncertainty of 1e-9. */
+static const struct {
+  const char *tolerance, *kind, *words;
+} TIGHT[] = {
+    {"1e-10", "abs", "1e-10"},
+    {"1e-10", "rel", "1e-10 rel, which allows 1.6e-10"},
+    {"100", "ulp", "100 ulp, which allows 2.22044604925031e-14"},
+};
+
 START_TEST(tolerance_tighter_than_the_reference) {
-  load("folds", "table.csv", "1e-10", "abs");
+  load("folds", "table.csv", TIGHT[_i].tolerance, TIGHT[_i].kind);
+  char message[200];
+  snprintf(message, sizeof message,
+           "made.yaml:8: checks[1].tolerance is %s: expected at least 1e-09, the uncertainty of "
+           "table.csv",
+           TIGHT[_i].words);
   ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference),
                    PO_BAD_INPUT);
-  ck_assert_str_eq(po_message(), "made.yaml:8: checks[1].tolerance is 1e-10: expected at least "
-                                 "1e-09, the uncertainty of table.csv");
+  ck_assert_str_eq(po_message(), message);
   const size_t count = kase->point_count;
   kase->point_count = 0; /* the memory after the last point belongs to no case */
   ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference), PO_OK);
@@ -211,7 +224,8 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, contact_radius_of_the_pull_off, 0,
                       (int)(sizeof RADII / sizeof *RADII));
   tcase_add_test(tests, failed_solve_has_no_result);
-  tcase_add_test(tests, tolerance_tighter_than_the_reference);
+  tcase_add_loop_test(tests, tolerance_tighter_than_the_reference, 0,
+                      (int)(sizeof TIGHT / sizeof *TIGHT));
   tcase_add_test(tests, reverse_trace_without_a_number);
   tcase_add_loop_test(tests, diagnostics_without_a_number, 0,
                       (int)(sizeof WITHOUT / sizeof *WITHOUT));
