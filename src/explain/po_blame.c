@@ -132,7 +132,9 @@ static void blame_published(const po_check_result *item, const other_results *ot
         item->check->reference);
 }
 
-static void blame_pin(const po_check_result *item, const other_results *others, po_blame *blame) {
+/* Given: `changed`, what computed the result: "program" or "solver". */
+static void blame_pin(const po_check_result *item, const other_results *others, const char *changed,
+                      po_blame *blame) {
   const po_check_result *oracle = others->for_it ? others->for_it : others->against;
   const bool has_oracle = oracle && oracle->ledger == PO_LEDGER_ORACLE;
   if (item->check->quantity == PO_WORK)
@@ -146,14 +148,15 @@ static void blame_pin(const po_check_result *item, const other_results *others, 
         "value: the pin was altered, or the reference was",
         oracle->check->reference);
   else if (item->verdict == PO_IMPROVED)
-    say(blame, "pin", "the program changed and the error decreased: bless it");
+    say(blame, "pin", "the %s changed and the error decreased: bless it", changed);
   else if (item->verdict == PO_REGRESSED)
-    say(blame, "program", "the program changed, and its error against %s increased",
+    say(blame, changed, "the %s changed, and its error against %s increased", changed,
         oracle ? oracle->check->reference : "the oracle");
   else
-    say(blame, "program",
-        "the program, its compiler or its libraries changed, and no oracle decides which value is "
-        "better: find the cause, then correct it or bless the value");
+    say(blame, changed,
+        "the %s, its compiler or its libraries changed, and no oracle decides which value is "
+        "better: find the cause, then correct it or bless the value",
+        changed);
 }
 
 /* Handles the verdicts that do not depend on other references. Returned: whether it did. */
@@ -245,5 +248,5 @@ void po_blame_find(const po_case_run *run, const po_check_result *item, po_blame
   else if (item->ledger == PO_LEDGER_PUBLISHED)
     blame_published(item, &others, blame);
   else
-    blame_pin(item, &others, blame);
+    blame_pin(item, &others, run->plan->solver ? "solver" : "program", blame);
 }

@@ -49,6 +49,30 @@ START_TEST(the_side_at_fault) {
 }
 END_TEST
 
+/* The pins of an external solver: the solver changed, not this program. */
+static const struct {
+  double oracle, pin;
+  const char *side, *why;
+} PINS_OF_SOLVER[] = {
+    {NONE, 1.5001, "solver", "the solver, its compiler or its libraries changed, and no oracle"},
+    {1.5, 1.5001, "solver", "the solver changed, and its error against reference/sage.csv"},
+    {1.5026, 1.5020, "pin", "the solver changed and the error decreased: bless it"},
+};
+
+START_TEST(the_solver_at_fault) {
+  const po_solver solver = {.name = (char *)"mine"};
+  made_plan.solver = &solver;
+  if (!isnan(PINS_OF_SOLVER[_i].oracle))
+    found(ORACLE, 0, "pull_off_force", "", 1.503, PINS_OF_SOLVER[_i].oracle, 1e-10);
+  const size_t pin = found(PIN, 0, "pull_off_force", "", 1.503, PINS_OF_SOLVER[_i].pin, 0);
+  po_judge(&made_run.check_results);
+  po_blame blame;
+  po_blame_find(&made_run, &made_run.check_results.items[pin], &blame);
+  ck_assert_str_eq(blame.side, PINS_OF_SOLVER[_i].side);
+  ck_assert_msg(strstr(blame.why, PINS_OF_SOLVER[_i].why) != NULL, "%s", blame.why);
+}
+END_TEST
+
 /* The pin passes and the oracle fails; `checked` is the header of the pins about that oracle. */
 static const struct {
   const char *checked, *side, *why;
@@ -136,6 +160,8 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, make_run, clear_run);
   tcase_add_loop_test(tests, the_side_at_fault, 0, (int)(sizeof SIDES / sizeof *SIDES));
+  tcase_add_loop_test(tests, the_solver_at_fault, 0,
+                      (int)(sizeof PINS_OF_SOLVER / sizeof *PINS_OF_SOLVER));
   tcase_add_loop_test(tests, wrong_and_frozen, 0, (int)(sizeof FROZEN / sizeof *FROZEN));
   tcase_add_test(tests, the_pins_of_a_point_are_used_for_its_curve);
   tcase_add_loop_test(tests, a_place_between_special_points, 0,
