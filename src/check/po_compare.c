@@ -26,13 +26,10 @@ double po_compare_obtained(po_quantity quantity, const po_result *result) {
   return po_block_number(&PO_ALL_ROWS, result, PO_QUANTITIES[quantity].path);
 }
 
-/* Returned: the value of a quantity of the pull-off in the trace, with its estimated error as the
- * uncertainty. */
-static po_reference_number traced_number(const po_compare_input *c) {
-  const char *path = strchr(PO_QUANTITIES[c->check->quantity].path, '.') + 1;
+double po_compare_stated_error(po_quantity quantity, const po_result *result) {
+  const char *path = strchr(PO_QUANTITIES[quantity].path, '.') + 1;
   const po_row *row = po_block_find(&PO_PULL_OFF_ROWS, NULL, path).row;
-  return (po_reference_number){po_compare_obtained(c->check->quantity, c->trace),
-                               po_block_number(&PO_PULL_OFF_ROWS, c->trace, row->error)};
+  return po_block_number(&PO_PULL_OFF_ROWS, result, row->error);
 }
 
 static po_status compare_single(const po_compare_input *c) {
@@ -41,7 +38,8 @@ static po_status compare_single(const po_compare_input *c) {
   po_reference_number expected = UNKNOWN;
   po_status status = PO_OK;
   if (c->reference->type == PO_REFERENCE_TRACED)
-    expected = traced_number(c);
+    expected = (po_reference_number){po_compare_obtained(quantity, c->trace),
+                                     po_compare_stated_error(quantity, c->trace)};
   else
     status = po_reference_find(c->reference, quantity, &c->request, &expected);
   if (status && status != PO_NOT_FOUND)

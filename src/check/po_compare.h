@@ -95,6 +95,9 @@ void po_check_results_clear(po_check_results *check_results);
  */
 double po_compare_obtained(po_quantity quantity, const po_result *result);
 
+/* Returned: the estimated error of a quantity of the pull-off; NAN if there is none. */
+double po_compare_stated_error(po_quantity quantity, const po_result *result);
+
 /* Compares the result of one point with the reference of one check, unless the check does not apply
  * to the point, and adds the results. Given: all members but the request. A result
  * without the quantity, or a reference without the scene, leads to a verdict, not to a status.

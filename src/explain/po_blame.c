@@ -159,8 +159,25 @@ static void blame_pin(const po_check_result *item, const other_results *others, 
         changed);
 }
 
+/* A followed value differs from its trace, of which item->uncertainty is the stated error. */
+static void blame_traced(const po_case_run *run, const po_check_result *item, po_blame *blame) {
+  const double errors =
+      item->uncertainty +
+      po_compare_stated_error(item->check->quantity, &run->points[item->point].result);
+  if (fabs(item->error) <= errors)
+    say(blame, "tolerance",
+        "the difference is within the stated errors of both values together, %.2g: the tolerance "
+        "is "
+        "smaller than these",
+        errors);
+  else
+    say(blame, "program",
+        "the trace of the same scene finds another pull-off: the continuation left its branch, or "
+        "the trace missed a minimum; the greater pull-off force is probably correct");
+}
+
 /* Handles the verdicts that do not depend on other references. Returned: whether it did. */
-static bool blame_alone(const po_check_result *item, po_blame *blame) {
+static bool blame_alone(const po_case_run *run, const po_check_result *item, po_blame *blame) {
   const bool pin = item->ledger == PO_LEDGER_PIN;
   if (item->whole && !po_verdict_passes(item->verdict)) {
     say(blame, "solve",
@@ -168,9 +185,7 @@ static bool blame_alone(const po_check_result *item, po_blame *blame) {
     return true;
   }
   if (item->verdict == PO_OUTSIDE && item->check->type == PO_REFERENCE_TRACED) {
-    say(blame, "program",
-        "the trace of the same scene finds another pull-off: the continuation left its branch, or "
-        "the trace missed a minimum; the greater pull-off force is probably correct");
+    blame_traced(run, item, blame);
     return true;
   }
   switch (item->verdict) {
@@ -236,7 +251,7 @@ static void blame_solver(const po_case_run *run, const po_check_result *item, po
 }
 
 void po_blame_find(const po_case_run *run, const po_check_result *item, po_blame *blame) {
-  if (blame_alone(item, blame))
+  if (blame_alone(run, item, blame))
     return;
   if (run->plan->solver && item->ledger != PO_LEDGER_PIN) {
     blame_solver(run, item, blame);

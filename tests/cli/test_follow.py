@@ -166,6 +166,14 @@ def test_a_case_with_two_series(data):
     expect(0, "good: 12 points, 4 checks: within (1 points kept)", "run good --output one --jobs 1")
     assert traces("one/good/record.json") == traces(record)
 
+    # A difference within the errors that both values state is no fault of either.
+    case = data.folder / "cases/good.yaml"
+    case.write_text(case.read_text().replace("tolerance: 1e-5", "tolerance: 1e-14"))
+    explained = expect(1, "*", "explain good --output one").out
+    assert "fault      tolerance: the difference is within the stated errors of both values together" in explained
+    assert "another pull-off" not in explained
+    write(data, EVERY_4 + "\ntraced: {seed: 7, count: 3}", against="pull_off_force")
+
     # A difference between a followed and a traced value is an error. A missing trace is no agreement.
     alter(record, drawn, lambda p: p["traced"]["pull_off"].update(force=p["traced"]["pull_off"]["force"] * (1 + 2e-5)))
     assert expect(1, "*", "verify --verbose good --output traced").count(r"^good +pull_off_force .* oracle +outside")
