@@ -120,11 +120,13 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
     }
 }
 
-/* Adds a string to XML, which must be UTF-8. */
+/* Adds a string to XML, which must be UTF-8 without U+FFFE and U+FFFF: both become U+FFFD. */
 static void add_escaped(po_text *text, const char *string) {
   char *valid = po_quote_utf8(string);
   text->failed = text->failed || !valid;
-  for (const char *c = valid; c && *c; ++c) {
+  for (char *c = valid; c && *c; ++c) {
+    if (strncmp(c, "\xEF\xBF", 2) == 0 && (unsigned char)c[2] >= 0xBE)
+      c[2] = '\xBD';
     const char *entity = *c == '&'   ? "&amp;"
                          : *c == '<' ? "&lt;"
                          : *c == '>' ? "&gt;"

@@ -1,5 +1,6 @@
 """Names of folders that are not ASCII: no check is lost from a document if a text would be cut inside a character, or if
-a name is not valid UTF-8, such as one written under Latin-1. And the data beside a program."""
+a name is not valid UTF-8, such as one written under Latin-1, or has characters that XML excludes. And the data beside a
+program."""
 
 import os
 import pathlib
@@ -20,7 +21,7 @@ CHECKS = """
 LONG = [before + letter * (1 + 80 // len(letter.encode())) for before in ("", "a", "ab", "abc") for letter in "ä€😀"]
 
 
-@pytest.mark.parametrize("name", LONG + [os.fsdecode(b"lat\344in"), os.fsdecode(b"lone\355\240\200")], ids=ascii)
+@pytest.mark.parametrize("name", LONG + ["not XML \ufffe\uffff", os.fsdecode(b"lat\344in"), os.fsdecode(b"lone\355\240\200")], ids=ascii)
 def test_folder(good, name):
     case, output, kept = f"{name}/own.yaml", f"{name}/run", "own: 1 points, 4 checks: outside (kept)"
     os.mkdir(name)
