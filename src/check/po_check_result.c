@@ -40,12 +40,41 @@ void po_check_result_reference(const po_check *check, char name[64]) {
   snprintf(name, 64, "%.*s", (int)(dot ? (size_t)(dot - base) : strlen(base)), base);
 }
 
+/* Reports whether two checks have the same quantity and references of the same short name. */
+static bool have_same_names(const po_check *a, const po_check *b) {
+  char of_a[64], of_b[64];
+  po_check_result_reference(a, of_a);
+  po_check_result_reference(b, of_b);
+  return strcmp(a->quantity_text, b->quantity_text) == 0 && strcmp(of_a, of_b) == 0;
+}
+
+/* Returned: the number of a check in its case, from 1, if an earlier check has the same names at
+ * the point; 0 if none has, and for a measurement. */
+static unsigned repeated(const po_compare_input *c) {
+  const po_case_file *file = c->kase->file;
+  const po_request *request = &c->kase->points[c->point].request;
+  bool same = false;
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    const po_check *other = &file->checks[i];
+    if (other == c->check)
+      return same ? i + 1 : 0;
+    same = same || (have_same_names(other, c->check) &&
+                    (c->check->quantity == PO_SOLVED_SHARE || po_check_concerns(other, request)));
+  }
+  return 0;
+}
+
+/* The share of solved points belongs to no point. */
 static char *make_id(const po_compare_input *c, const char *suffix) {
   po_text text = {0};
   char reference[64];
+  const bool whole = c->check->quantity == PO_SOLVED_SHARE;
+  const unsigned number = repeated(c);
   po_check_result_reference(c->check, reference);
-  po_text_add(&text, "%s/%s/%s%s%s", c->check->quantity_text, reference,
-              c->kase->points[c->point].label, *suffix ? "/" : "", suffix);
+  po_text_add(&text, "%s/%s%s%s%s%s", c->check->quantity_text, reference, whole ? "" : "/",
+              whole ? "" : c->kase->points[c->point].label, *suffix ? "/" : "", suffix);
+  if (number)
+    po_text_add(&text, "/check-%u", number);
   return po_text_take(&text);
 }
 

@@ -27,7 +27,8 @@ typedef enum {
 } po_verdict;
 
 typedef struct {
-  char *id;     /* "pull_off_force/feng_pull_off/tabor=1" */
+  char *id;     /* "pull_off_force/feng_pull_off/tabor=1"; with "/check-2" for the second check of
+                   the case if an earlier one has the same id */
   size_t point; /* number of the point in the case; if `whole`, an example */
   bool whole;   /* the result belongs to all points of the case together */
   const po_check *check;

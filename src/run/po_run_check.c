@@ -136,13 +136,8 @@ static po_status compare_share(po_case_run *run, const po_check *check,
   po_check_result *item =
       po_compare_add(&c, PO_QUANTITIES[check->quantity].name, "",
                      (double)solved / (double)concerned, (po_reference_number){1, (double)NAN});
-  char *id = po_copy_text("solved_share/every_scene");
-  if (!item || !id) {
-    free(id);
+  if (!item)
     return PO_NO_MEMORY;
-  }
-  free(item->id);
-  item->id = id;
   item->whole = true;
   if (without_reason) {
     item->verdict = PO_OUTSIDE;

@@ -71,4 +71,18 @@ check 'a failure in JUnit' grep -q '<failure message="outside: obtained 2,' juni
 restore
 expect 0 '*' verify good --output out --tap
 check 'ok in TAP' grep -q '^ok 1 - good pull_off_force/table/scene$' "$work/stdout"
+
+# Checks of the same number with other tolerances have names of their own; those of other points keep theirs.
+sed -i '/^  tabor: 0/d; s/^want/sweep: [{key: tabor, values: [0, 1e-6]}]\nwant/' "$PULLOFF_DATA/cases/good.yaml"
+write_table "$table" tabor,force,approach 0,2,0 1e-6,2,0
+cat >>"$PULLOFF_DATA/cases/good.yaml" <<'CHECKS'
+    when: [{key: tabor, values: [0]}]
+  - {quantity: pull_off_force, reference: reference/table.csv, tolerance: 1e-8, kind: abs, because: it is tried}
+  - {quantity: solved_share, reference: every_scene, tolerance: 0.1, kind: abs, because: it is tried}
+  - {quantity: solved_share, reference: every_scene, tolerance: 0.2, kind: abs, because: it is tried}
+CHECKS
+expect 0 '*' verify good --output out --tap
+number=pull_off_force/table/tabor share=solved_share/every_scene
+check "names: $(cat "$work/stdout")" [ "$(sed -n 's/^ok . - good //p' "$work/stdout")" = \
+  "$(printf '%s\n' $number=0 $number=0/check-2 $number=1e-6 $share $share/check-4)" ]
 finish
