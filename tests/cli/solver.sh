@@ -215,13 +215,14 @@ manifest scalar
 go 0 verify judged.yaml --solver scalar.yaml --output run
 printed '^scalar:judged .*coverage 8/8 points, 16/32 checks'
 
-# The step of a solver that locates jumps with one.
+# The step of a solver that locates jumps with one. It makes no tolerance slack.
 unstable=false
-manifest shifted 'approach_step: 1.5'
+manifest shifted 'approach_step: 1500'
 write_case steps '1, 2'
 sed -i 's/contact_radius,\(.*\)1.5/pull_off_approach,\11e-3/' steps.yaml
 go 0 verify steps.yaml --solver shifted.yaml --output run --verbose
 printed 'pull_off_approach .* within$'
+check 'the tolerance is not slack' fails grep -q 'pull_off_approach .* slack' stdout
 # It is added before the verdicts are combined: a blessed value within it is not wrong and frozen.
 sed -i 's/pull_off_force, reference: pin/pull_off_approach, reference: pin/' steps.yaml
 for reason in first again; do
