@@ -153,7 +153,7 @@ for pause in 0.35 0.5 0.8 1.6 3.2; do # a busy machine needs the longer ones
   wait $child 2>/dev/null
 done
 sleep 0.2
-check 'the solver does not outlive the program' [ -z "$(pgrep -f "responder.py slow " || true)" ]
+check 'the solver does not outlive the program' [ -z "$(pgrep -f "responder.py slow .*$work" || true)" ]
 before=$(answers)
 check "answers were written before: $before" [ "$before" -ge 2 ]
 go 0 run long.yaml --solver slow.yaml --output kill --jobs 2
