@@ -282,16 +282,27 @@ po_status po_given_read(po_given *given, po_request *request) {
   return status ? status : check_idle(given, request);
 }
 
+/* Whether a key is given as a number other than 0, in its own unit or in SI units. */
+static bool is_not_zero(const po_given *given, po_key key) {
+  const int si = po_key_in_si(key);
+  const char *text = given->text[key] || si < 0 ? given->text[key] : given->text[si];
+  double value = 0;
+  return text && po_number_parse(text, &value) && value != 0;
+}
+
 po_status po_given_check_waves(po_given *given) {
   const bool amplitude =
       po_given_has(given, PO_KEY_AMPLITUDE) || given->text[PO_KEY_AMPLITUDE_RATIO];
-  const bool wavelength = po_given_has(given, PO_KEY_WAVELENGTH);
-  if (amplitude == wavelength)
+  const bool smooth =
+      !is_not_zero(given, PO_KEY_AMPLITUDE) && !is_not_zero(given, PO_KEY_AMPLITUDE_RATIO);
+  if (amplitude ? smooth || is_not_zero(given, PO_KEY_WAVELENGTH)
+                : !po_given_has(given, PO_KEY_WAVELENGTH))
     return PO_OK;
   const po_key key = amplitude ? PO_KEY_WAVELENGTH : PO_KEY_AMPLITUDE;
   char name[PO_KEY_NAME_LENGTH];
   po_given_name(given, amplitude ? PO_KEY_AMPLITUDE : PO_KEY_WAVELENGTH, name);
-  return refuse(given, given->si ? po_key_in_si(key) : key, "it beside %s", name);
+  return refuse(given, given->si ? po_key_in_si(key) : key, "%s beside %s",
+                given->text[key] ? PO_KEYS[key].expected : "it", name);
 }
 
 bool po_given_is_general(const po_given *given, const po_form *form, const po_scene *scene) {

@@ -36,8 +36,9 @@ double po_given_number(const po_given *given, po_key key, const po_units *units)
 /* The name of a key in messages, which is that in SI units if the scene is. */
 void po_given_name(const po_given *given, po_key key, char name[PO_KEY_NAME_LENGTH]);
 
-/* Refuses an amplitude without a wavelength, and the reverse, which has no effect. A wavelength
- * with amplitude 0 is accepted: it is the smooth end of a series. Status: PO_BAD_INPUT. */
+/* Refuses an amplitude > 0 without a wavelength > 0, and a wavelength without an amplitude, which
+ * has no effect. With amplitude 0 any wavelength or none is accepted: it may be the smooth end of a
+ * series. Status: PO_BAD_INPUT. */
 po_status po_given_check_waves(po_given *given);
 
 /* Whether profile, waves or law are given, or the form takes the scene so: the closed forms of any

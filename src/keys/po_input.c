@@ -187,6 +187,13 @@ bool po_key_parse(po_key key, const char *text, double *value) {
   }
 }
 
+/* Whether a text is the wavelength 0 that documents state for a scene without waves. */
+static bool is_of_smooth(const po_request *request, po_key key, const char *text) {
+  double value = 1;
+  return key == PO_KEY_WAVELENGTH && request->scene.amplitude == 0.0 &&
+         po_number_parse(text, &value) && value == 0;
+}
+
 bool po_key_set(po_request *request, po_key key, const char *text) {
   if (PO_KEYS[key].domain == NAME_DOMAIN)
     return set_name(request, key, text);
@@ -198,7 +205,7 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     return true;
   }
   double value = 0;
-  if (!po_key_parse(key, text, &value))
+  if (!po_key_parse(key, text, &value) && !is_of_smooth(request, key, text))
     return false;
   if (PO_KEYS[key].owner == PO_OWNER_SI)
     return true;

@@ -28,6 +28,9 @@ def tip(*without):
     ("--tabor is given, but its value varies (--key): *", "--key tabor --from 1 --to 2 --tabor 1"),
     ("--from is 0 and --to is 2: expected two different values > 0, or --scale linear", "--key tabor --from 0 --to 2"),
     ("--wavelength is missing: expected it beside --amplitude", "--key tabor --from 1 --to 2 --amplitude 1"),
+    ("--wavelength is missing: expected it beside --amplitude", "--key amplitude --from 0 --to 1 --scale linear"),
+    ("--wavelength is 0: expected a finite number > 0 beside --amplitude",
+     "--key tabor --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 0"),
     ("--amplitude-ratio is 0.1: expected only one of --amplitude and --amplitude-ratio", "--key amplitude --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 20"),
     ("--radius is -3: *", "--key tabor --from 1 --to 2 --radius -3"),
     ("a stiffness has no effect on follow: the minimum of the load *", "--key tabor --from 1 --to 2 --stiffness 2"),
@@ -60,6 +63,11 @@ def test_a_followed_value_equals_that_of_a_trace():
         traced = document("solve --tolerance 1e-5 --tabor 0.71 --wavelength", given["wavelength"], "--amplitude", given["amplitude"])
         agree(points[k]["pull_off"], traced["pull_off"], "force")
         agree(points[k]["pull_off"], traced["pull_off"], "approach", "approach_error_estimate")
+
+
+def test_a_smooth_sphere_needs_no_wavelength():
+    series = "follow --key tabor --from 1 --to 1.1 --points 2 --tolerance 1e-3"
+    assert document(series + " --amplitude 0")["digest"] == document(series)["digest"]
 
 
 def test_followed_folds_equal_those_of_traces_and_end_where_two_merge():  # mu = 0.697

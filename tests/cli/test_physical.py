@@ -147,6 +147,10 @@ def test_the_prefix_of_a_profile_without_a_radius():
         assert printed.count(r"^pull-off force 7\.962[0-9]* nN at approach -0\.2339[0-9]* nm, ")
 
 
+def test_a_smooth_sphere_needs_no_wavelength():
+    assert document("solve --amplitude-m 0" + BODY)["digest"] == document("solve" + BODY)["digest"]
+
+
 def test_the_rigid_sphere_has_the_force_of_bradley():
     d = document("solve --modulus-pa inf " + TIP)
     assert d["rigid"] and abs(d["physical"]["pull_off"]["force_n"] / (2 * math.pi * 0.05e-7) - 1) < 1e-9

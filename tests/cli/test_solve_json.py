@@ -83,6 +83,15 @@ def test_a_rigid_sphere():
     assert '"rigid": true' in expect(0, "", "solve --tabor 0 --json").out
 
 
+@pytest.mark.parametrize("given", ["", "--profile cone:0.3 --coupling 0.1"])
+def test_the_input_of_a_smooth_body_is_accepted_as_it_is_stated(given):
+    """Amplitude 0 was refused without a wavelength, and the wavelength 0 that the document states beside it always."""
+    smooth = document(f"solve --tolerance 1e-3 {given}")
+    assert smooth["input"]["amplitude"] == smooth["input"]["wavelength"] == 0
+    for waves in "--amplitude 0", "--amplitude 0 --wavelength 0":
+        assert document(f"solve --tolerance 1e-3 {given} {waves}")["digest"] == smooth["digest"]
+
+
 def test_the_printed_pull_off():
     assert expect(0, "", TRIANGLES).count("^pull-off force 1.67")
 
