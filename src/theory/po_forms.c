@@ -81,9 +81,8 @@ static void jkr_of_profile_along(const po_form_input *in, po_form_values *v) {
   put(v, PO_FORM_PURE, "energy", energy);
   put(v, PO_FORM_PURE, "load_rate", po_jkr_profile_rate(&in->scene, PO_FIXED_LOAD, in->at));
   put(v, PO_FORM_PURE, "approach_rate", po_jkr_profile_rate(&in->scene, PO_FIXED_APPROACH, in->at));
+  v->items[v->count - 1].may_be_infinite = in->at == 0.0;
   put(v, PO_FORM_LENGTH, "least_gap", gap);
-  for (size_t k = v->count - 3; k < v->count - 1; ++k)
-    v->items[k].may_be_infinite = in->at == 0.0; /* the curve begins with a vertical tangent */
 }
 
 static double tension_of(const po_form_input *in) {

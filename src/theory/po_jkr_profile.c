@@ -95,7 +95,12 @@ po_contact po_jkr_profile_at(const po_scene *scene, double contact_radius) {
 
 double po_jkr_profile_rate(const po_scene *scene, po_fixed fixed, double contact_radius) {
   const curve c = curve_of(scene, fixed);
-  return is_inside(scene, contact_radius) ? rate_at(contact_radius, &c) : NAN;
+  if (!is_inside(scene, contact_radius))
+    return NAN;
+  /* g' is finite at the axis: from there the load falls as a^(3/2), the approach as a^(1/2). */
+  if (contact_radius == 0.0)
+    return fixed == PO_FIXED_LOAD ? 0.0 : -INFINITY;
+  return rate_at(contact_radius, &c);
 }
 
 static const double SMALLEST = 1e-150, LARGEST = 1e150;

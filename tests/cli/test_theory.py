@@ -1,6 +1,7 @@
 """pulloff theory: the closed forms by name, as JSON and as text; the message for missing or wrong options is one line."""
 
 import math
+import pathlib
 
 import pytest
 from conftest import document, expect
@@ -52,6 +53,22 @@ def near(key, value, tolerance, words):
     ("pull_off_force", 137.425431733702511, 1e-10, "rigid --profile punch:5,20 --law morse:3")])
 def test_values(key, value, tolerance, words):
     near(key, value, tolerance, words)
+
+
+@pytest.mark.parametrize("scene", [
+    "--profile cone:0.3 --coupling 0.05", "--profile power:1,3 --coupling 0.05", "--profile punch:3,10 --coupling 0.05",
+    "--profile truncated:3,10 --coupling 0.05", "--profile sphere", "--profile cone:0.3 --coupling 0.05 --wave 1,20",
+    "--amplitude 1 --wavelength 20", "--profile-file tip.csv --coupling 0.05"])
+def test_rates_at_the_beginning_of_the_jkr_curve(scene):
+    """The load rate was computed as 0 times infinity, and the command failed. From contact radius 0 on the load falls as
+    a^(3/2) and the approach as sqrt(a): nearby the rates are proportional to sqrt(a) and to its inverse."""
+    pathlib.Path("tip.csv").write_text("r,gap\n" + "".join(f"{r},{0.3 * r + 0.01 * r**2}\n" for r in range(9)))
+    jkr = f"theory jkr {scene} --contact-radius"
+    first = document(jkr, 0)
+    assert (first["load"], first["approach"], first["load_rate"], first["approach_rate"]) == (0, 0, 0, None)
+    near, nearer = (document(jkr, a) for a in (1e-10, 1e-12))
+    assert abs(nearer["load_rate"] / near["load_rate"] - 0.1) < 1e-4 > abs(nearer["approach_rate"] / near["approach_rate"] - 10) / 100
+    assert nearer["load_rate"] < 0 > nearer["approach_rate"]
 
 
 def test_printed_results():
