@@ -47,7 +47,10 @@ static const char HELP[] =
     "             --distance-m 3e-10 --radius-m 3e-8\n";
 
 static const po_option OPTIONS[] = {
-    PO_TEXT("theory", po_solve_line, theory, "the name of a theory"), PO_SOLVE_LINE_OUTPUT, {0}};
+    PO_TEXT("theory", po_solve_line, theory, "the name of a theory"),
+    PO_REFUSED_STIFFNESS,
+    PO_SOLVE_LINE_OUTPUT,
+    {0}};
 
 /* Refuses a theory that cannot be evaluated for the scene. */
 static po_status check_row(const po_result *result, const po_theory *only) {
@@ -145,7 +148,7 @@ static bool find_theory(const char *name, po_theory *theory) {
 
 int po_verb_compare(int argc, char **argv) {
   const po_options options = {
-      "compare", HELP, OPTIONS, argc, argv, 0, NULL, PO_FOR_SOLVE, po_solve_line_take_key};
+      "compare", HELP, OPTIONS, argc, argv, 0, NULL, PO_FOR_COMPARE, po_solve_line_take_key};
   po_solve_line line = po_solve_line_begin();
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))

@@ -120,14 +120,6 @@ static po_status take_followed(const char *name, void *folds) {
              : po_options_refuse(name, optarg, "pull-off or folds");
 }
 
-static po_status refuse_stiffness(const char *name, void *line) {
-  (void)name, (void)line;
-  return po_fail(PO_BAD_INPUT,
-                 "a stiffness has no effect on follow: the minimum of the load that is followed is "
-                 "the same through every spring, and a spring decides only which preload leads to "
-                 "it; expected pulloff solve --want preload with the stiffness");
-}
-
 /* Beside the options of keys. */
 static const po_option OPTIONS[] = {
     PO_TAKEN("key", follow_line, varied, take_varied),
@@ -139,8 +131,7 @@ static const po_option OPTIONS[] = {
     PO_TAKEN("checkpoint-every", follow_line, checkpoints, take_checkpoints),
     PO_TEXT("curve", follow_line, curve, "the name of a file"),
     PO_TAKEN("plot", follow_line, plot, po_plot_take_file),
-    PO_TAKEN("stiffness", follow_line, scene, refuse_stiffness),
-    PO_TAKEN("stiffness-n-per-m", follow_line, scene, refuse_stiffness),
+    PO_REFUSED_STIFFNESS,
     PO_FLAG("json", follow_line, json),
     {0}};
 

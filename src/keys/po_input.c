@@ -38,7 +38,8 @@ enum { CONSTANT = false, VARIES = true };
 #define OF_PROFILE(number) PLACE(scene.profile.parameter[number])
 #define NO_PLACE PO_NO_PLACE, -1
 #define NO_VERB 0
-#define SOLVE PO_FOR_SOLVE
+#define SPRING PO_FOR_SOLVE
+#define SOLVE (PO_FOR_SOLVE | PO_FOR_COMPARE)
 #define FOLLOW PO_FOR_FOLLOW
 #define SERIES (SOLVE | FOLLOW)
 #define EVERY (SERIES | PO_FOR_THEORY)

@@ -38,7 +38,7 @@ typedef enum {
 } po_key_owner;
 
 /* The verbs that have an option for a key; plot has those of solve. */
-enum { PO_FOR_SOLVE = 1, PO_FOR_FOLLOW = 2, PO_FOR_THEORY = 4 };
+enum { PO_FOR_SOLVE = 1, PO_FOR_FOLLOW = 2, PO_FOR_THEORY = 4, PO_FOR_COMPARE = 8 };
 
 /* A row of po_key_rows.h. */
 typedef struct {

@@ -76,7 +76,7 @@
   X(PRELOAD_LOAD, "preload_load", NOT_NEGATIVE, LOAD, TRACE, PLACE(preload.load), CONSTANT, SERIES, "W", \
     HELP("load up to which the bodies are loaded, in pi w R; with --preload, loading ends at whichever is reached " \
          "first (default 1, unless a preload or the end of the trace is given as an approach)")) \
-  X(STIFFNESS, "stiffness", POSITIVE, STIFFNESS, TRACE, PLACE(stiffness), CONSTANT, SOLVE, "K", \
+  X(STIFFNESS, "stiffness", POSITIVE, STIFFNESS, TRACE, PLACE(stiffness), CONSTANT, SPRING, "K", \
     HELP("stiffness of a spring through which the body is moved, in pi w R/epsilon: --want hysteresis and preload " \
          "then have the loop and the staircase through the spring, too (default: none)")) \
   X(TIME_LIMIT, "time_limit", POSITIVE, NUMBER, TRACE, PLACE(time_limit), CONSTANT, SERIES, "S", \
@@ -116,7 +116,7 @@
     HELP("approach up to which the bodies are loaded, in m")) \
   X(PRELOAD_LOAD_N, "preload_load_n", NOT_NEGATIVE, LOAD, SI, SETS(PRELOAD_LOAD), CONSTANT, SERIES, "F", \
     HELP("load up to which the bodies are loaded, in N")) \
-  X(STIFFNESS_N_PER_M, "stiffness_n_per_m", POSITIVE, STIFFNESS, SI, SETS(STIFFNESS), CONSTANT, SOLVE, "K", \
+  X(STIFFNESS_N_PER_M, "stiffness_n_per_m", POSITIVE, STIFFNESS, SI, SETS(STIFFNESS), CONSTANT, SPRING, "K", \
     HELP("stiffness of the spring through which the body is moved, in N/m"))
 
 #define PO_GIVEN_ROWS(X) PO_SI_ROWS(X) \

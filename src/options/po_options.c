@@ -221,6 +221,15 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
       value, expected);
 }
 
+po_status po_options_refuse_stiffness(const char *option, void *line) {
+  (void)line;
+  return po_fail(PO_BAD_INPUT,
+                 "--%s has no effect here: the pull-off force is that of a minimum of the load, "
+                 "which is the same through every spring, and a spring decides only which preload "
+                 "leads to it; expected pulloff solve --want preload with the stiffness",
+                 option);
+}
+
 po_status po_options_take_text(const char *option, const char *expected, const char **text) {
   *text = optarg;
   return *optarg || !expected ? PO_OK : po_options_refuse(option, optarg, expected);

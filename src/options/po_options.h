@@ -52,6 +52,10 @@ typedef struct {
    .least = above}
 #define PO_TAKEN(key, line, member, function) \
   {.name = key, .kind = PO_OPTION_IS_TAKEN, .place = offsetof(line, member), .take = function}
+/* Rows of a verb on whose result a stiffness has no effect, which say why. */
+#define PO_REFUSED_STIFFNESS \
+  {.name = "stiffness", .kind = PO_OPTION_IS_TAKEN, .take = po_options_refuse_stiffness}, \
+  {.name = "stiffness-n-per-m", .kind = PO_OPTION_IS_TAKEN, .take = po_options_refuse_stiffness}
 // clang-format on
 
 /* The values of options in the table of getopt: of --from-physical, of the keys, of the rows of a
@@ -86,6 +90,9 @@ bool po_options_read(const po_options *options, void *line, po_status *status);
 
 /* Refuses the value of an option: PO_BAD_INPUT. */
 po_status po_options_refuse(const char *option, const char *value, const char *expected);
+
+/* Refuses --stiffness and --stiffness-n-per-m (po_option_taker): PO_BAD_INPUT. */
+po_status po_options_refuse_stiffness(const char *option, void *line);
 
 /* Takes a path or names from optarg; refuses an empty text, if something is expected. */
 po_status po_options_take_text(const char *option, const char *expected, const char **text);

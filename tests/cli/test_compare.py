@@ -125,6 +125,9 @@ def test_messages():
     expect(2, "pulloff: no theory is named pudding: expected one of rigid, dmt, *", "compare --theory pudding")
     expect(2, "pulloff: --theory is empty: expected the name of a theory", "compare --theory ''")
     assert [row["theory"] for row in document("compare --theory jkr")["theories"]] == ["jkr"]
+    for stiffness in "--stiffness", "--stiffness-n-per-m":  # it was taken, and its help promised results of other verbs
+        expect(2, f"pulloff: {stiffness} has no effect here: *; expected pulloff solve *", f"compare --tabor 1 {stiffness} 0.3")
+    assert "stiffness" not in expect(0, "", "compare --help").out
     shown = expect(0, "", "compare --theory jkr").out
     assert "JKR   " in shown and "DMT" not in shown
 

@@ -33,7 +33,7 @@ def tip(*without):
      "--key tabor --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 0"),
     ("--amplitude-ratio is 0.1: expected only one of --amplitude and --amplitude-ratio", "--key amplitude --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 20"),
     ("--radius is -3: *", "--key tabor --from 1 --to 2 --radius -3"),
-    ("a stiffness has no effect on follow: the minimum of the load *", "--key tabor --from 1 --to 2 --stiffness 2"),
+    ("--stiffness has no effect here: the pull-off force is that of a minimum of the load, *", "--key tabor --from 1 --to 2 --stiffness 2"),
     ("--points is 1: *", "--key tabor --from 1 --to 2 --points 1"),
     ("--of is fold: expected pull-off or folds*", "--key tabor --from 1 --to 2 --of fold"),
     ("folds are not followed from scene 1 to the next: *",
