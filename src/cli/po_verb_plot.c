@@ -7,6 +7,7 @@
 #include "po_memory.h"
 #include "po_order.h"
 #include "po_plot_scene.h"
+#include "po_quote.h"
 #include "po_session.h"
 #include "po_solve_line.h"
 #include "po_verbs.h"
@@ -308,11 +309,15 @@ static po_status plot_case(char *name, const char *run, const char *file) {
 static po_status take_operands(po_solve_line *line, const po_options *options, char **name) {
   const int count = options->argc - optind;
   char **operand = options->argv + optind;
+  char shown[PO_QUOTE_LENGTH];
   const bool figure = count > 0 && po_plot_is_figure(operand[count - 1]);
   if (count > 2 || (count == 2 && !figure))
     return po_fail(PO_BAD_INPUT,
                    "plot takes a case and a file that ends in .svg, .png or .pdf (see "
                    "pulloff plot --help)");
+  if (count == 2 && po_plot_is_figure(operand[0]))
+    return po_fail(PO_BAD_INPUT, "%s is one file too many: expected only one figure",
+                   po_quote(operand[1], shown));
   if (figure && line->plot)
     return po_fail(PO_BAD_INPUT, "the figure is given twice: expected either --plot or FILE");
   if (figure)
@@ -359,15 +364,16 @@ int po_verb_plot(int argc, char **argv) {
       take};
   plot_line p = {.line = po_solve_line_begin(), .options = &options};
   po_solve_line *line = &p.line;
-  char *name = NULL;
+  char *name = NULL, shown[PO_QUOTE_LENGTH];
   po_status status = PO_OK;
   if (!po_options_read(&options, &p, &status))
     return po_options_end(status);
   status = take_operands(line, &options, &name);
   if (!status && name && p.is_scene)
-    status =
-        po_fail(PO_BAD_INPUT, "options of a scene have no effect on a case: expected them to be "
-                              "left out");
+    status = po_fail(PO_BAD_INPUT,
+                     "options of a scene have no effect on a case: expected them to be left out, "
+                     "or a figure, which ends in .svg, .png or .pdf, in place of %s",
+                     po_quote(name, shown));
   if (!status && name)
     return po_options_end(plot_case(name, line->run, line->plot));
   po_solve_line_add_wants(line);

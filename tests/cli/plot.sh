@@ -95,6 +95,9 @@ expect 2 'pulloff: --staircase has no effect on plot: *' plot --tabor 0 --stairc
 expect 2 'pulloff: the figure is given twice: *' plot --tabor 0 --plot a.svg b.svg
 expect 2 'pulloff: theories is no panel of a plot: *' plot --tabor 0 --want curve,theories
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot fig04 --tabor 2
+# A figure of another kind was taken for a case, and the message did not say which files are figures.
+expect 2 'pulloff: options of a scene have no effect on a case: *, or a figure, which ends in .svg, .png or .pdf, in place of a.jpg' plot --tabor 1 a.jpg
+expect 2 'pulloff: b.svg is one file too many: expected only one figure' plot --tabor 1 a.svg b.svg
 # The arguments before the case were counted: such options were ignored.
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot --run=run --tabor=2 fig04
 expect 2 'pulloff: unknown option --run of solve *' solve --run run
