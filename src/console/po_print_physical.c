@@ -12,7 +12,8 @@
 /* The text of a key as it was given; NULL: it is not printed. A profile has its parameters, and
  * a ratio of amplitude and wavelength is an amplitude. */
 static const char *shown(const po_given *given, int key, char text[PO_KEY_TEXT_LENGTH]) {
-  const bool one = key == PO_KEY_PROFILE || key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
+  const bool one = key == PO_KEY_PROFILE || key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH ||
+                   key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
   if (!one && PO_KEYS[key].owner != PO_OWNER_SI)
     return NULL;
   const char *ratio = given->text[PO_KEY_AMPLITUDE_RATIO],

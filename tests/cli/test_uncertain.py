@@ -149,6 +149,17 @@ def test_si_units():
     assert si["force_n"] == pytest.approx(found["uncertainty"]["force"] * found["physical"]["units"]["force_n"], rel=1e-12)
 
 
+def test_a_table_in_si_units_is_given_back():
+    """The unit of the table and its noise were not in what was given: the tip was 1e9 times too large."""
+    words = "solve --from-physical --tolerance 1e-3 --preload-load-n 1e-9"
+    found = document(f"{words} --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --table-scale 1e-9 --smooth 0.02 "
+                     f"--profile-file {write('tip.csv', 0.02)}")
+    given = found["physical"]["input"]
+    assert (given["table_scale"], given["smooth"], given["profile_file"]) == (1e-9, 0.02, "tip.csv")
+    again = " ".join(f"--{key.replace('_', '-')} {value}" for key, value in given.items())
+    assert document(f"{words.replace(' --preload-load-n 1e-9', '')} {again}")["digest"] == found["digest"]
+
+
 def test_preload_that_decides_between_two_minima():
     """The jump of the force is no standard uncertainty. Farther away the force does not depend on the preload at all."""
     found, total, [source] = uncertain(JUMP + " 2.6+-0.025")
