@@ -109,6 +109,7 @@ static po_status complete(po_theory_line *l, const po_form *form) {
   const po_scene *scene = &l->request.scene;
   const bool has_alpha = !isnan(l->alpha);
   given->any_modulus = !(form->needs & PO_NEEDS_ELASTIC);
+  given->any_radius = form->variable == PO_FORM_AT_GAP;
   po_status status = po_given_read(given, &l->request);
   if (!status)
     status = check_use(l, form);

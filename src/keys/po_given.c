@@ -132,7 +132,7 @@ static po_status read_physical(po_given *given, po_physical *p) {
   } items[] = {{PO_KEY_MODULUS_PA, &p->modulus, !given->any_modulus},
                {PO_KEY_WORK_J_PER_M2, &p->work, true},
                {PO_KEY_DISTANCE_M, &p->distance, true},
-               {PO_KEY_RADIUS_M, &p->radius, !profile},
+               {PO_KEY_RADIUS_M, &p->radius, !profile && !given->any_radius},
                {PO_KEY_AMPLITUDE_M, &p->amplitude, false},
                {PO_KEY_WAVELENGTH_M, &p->wavelength, false},
                {PO_KEY_OUTER_RADIUS_M, &p->outer_radius, false}};

@@ -16,8 +16,8 @@ typedef struct {
                   further waves may be given beside an amplitude; of others "", or a path */
   bool si;     /* the scene is in SI units: its lengths are given in m */
   bool mixed;  /* preload and range of the trace may be dimensionless beside a scene in SI units */
-  bool any_modulus; /* the modulus may be missing: nothing depends on it */
-  int wrong;        /* the key that was refused last */
+  bool any_modulus, any_radius; /* it may be missing: nothing depends on it */
+  int wrong;                    /* the key that was refused last */
 } po_given;
 
 /* Turns the texts into a request, which must have the defaults. The request has the units of a

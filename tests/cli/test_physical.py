@@ -163,6 +163,7 @@ def test_the_rigid_sphere_has_the_force_of_bradley():
     ("load_n", -3.1415926535897932e-08, "bradley --approach-m 0 " + TIP),
     ("effective_work_j_per_m2", 0.0537, "kesari-lew --amplitude-m 0" + BODY),
     ("peak_tension_pa", 171066746.4265558, "lennard-jones " + TIP),
+    ("peak_tension_pa", 171066746.4265558, "lennard-jones --from-physical --work-j-per-m2 0.05 --distance-m 3e-10"),
     ("pull_off_force_n", 1.1640478568314679e-08, "rigid --alpha 0.25 --amplitude-m 3e-10 " + TIP)])
 def test_closed_forms(key, value, words):
     assert near(document("theory " + words)["physical"][key], value, 1e-12)
