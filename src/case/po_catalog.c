@@ -86,8 +86,8 @@ static po_status case_set_own(po_case *kase) {
   return word.failed ? PO_NO_MEMORY : PO_OK;
 }
 
-/* Reads the case at a given path. A file outside the folder must have a name that no case of the
- * folder has. */
+/* Reads the case at a given path, unless the catalog has the case of this file. A file outside the
+ * folder must have a name that no case of the folder has. */
 static po_status read_given(const char *folder, const po_catalog *all, const char *path,
                             po_catalog *catalog) {
   po_case *kase = NULL;
@@ -95,7 +95,8 @@ static po_status read_given(const char *folder, const po_catalog *all, const cha
   if (status)
     return status;
   const bool built_in = is_in_folder(folder, path);
-  const bool again = built_in && find(catalog, kase->file->name); /* requested twice */
+  po_case **twin = find(catalog, kase->file->name);
+  const bool again = twin && po_path_is_same((*twin)->path, path); /* requested twice */
   if (!built_in)
     status = case_set_own(kase);
   if (!status && !again)

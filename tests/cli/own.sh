@@ -97,7 +97,8 @@ check 'no shard is written' test ! -e taken
 write_own one.yaml twin 21
 write_own two.yaml twin 22
 expect 2 'pulloff: two.yaml: name is twin: expected another name, as one.yaml has this one' run one.yaml two.yaml
-expect 0 'twin: 1 points, 2 checks: outside' run one.yaml --output twins
+# A file that is given twice is taken once, as a case that is named twice.
+expect 0 'twin: 1 points, 2 checks: outside' run one.yaml ./one.yaml --output twins
 cp twins/twin/record.json before.json
 expect 2 'pulloff: two.yaml: name is twin: expected another name or another folder for the records, as twins/twin contains the record of one.yaml' \
   run two.yaml --output twins --fresh
