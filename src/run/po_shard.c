@@ -170,6 +170,23 @@ static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
   return NULL;
 }
 
+/* Refuses a shard that solves a case otherwise than the first one. */
+static po_status refuse_scenes(const po_merge_part *first, const po_merge_part *part,
+                               const char *name) {
+  char limits[2][PO_NUMBER_LENGTH] = {"none", "none"};
+  const double mine = po_json_read_number(part->root, "time_limit"),
+               other = po_json_read_number(first->root, "time_limit");
+  if (!isnan(mine))
+    po_number_print(mine, limits[0]);
+  if (!isnan(other))
+    po_number_print(other, limits[1]);
+  if (strcmp(limits[0], limits[1]) != 0)
+    return po_fail(PO_BAD_INPUT, "%s: time_limit is %s: expected %s, as in %s", part->path.text,
+                   limits[0], limits[1], first->path.text);
+  return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
+                 part->path.text, name, first->path.text);
+}
+
 /* Compares a shard with the first one: program, cases and scenes must agree. */
 static po_status check_part(const po_merge_part *first, const po_merge_part *part) {
   if (part->shard.count != first->shard.count)
@@ -188,8 +205,7 @@ static po_status check_part(const po_merge_part *first, const po_merge_part *par
     const json_t *entry = json_array_get(cases_of(part), i);
     if (strcmp(po_record_text(entry, "solve_key"),
                po_record_text(json_array_get(cases_of(first), i), "solve_key")) != 0)
-      return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
-                     part->path.text, po_record_text(entry, "case"), first->path.text);
+      return refuse_scenes(first, part, po_record_text(entry, "case"));
   }
   return PO_OK;
 }

@@ -182,7 +182,8 @@ ends 0 run drawn rigid --output less --shard 2/3
 expect 2 'pulloff: less/* has other cases than part-1/shard-1-of-3.json: expected the same, but only one has *' \
   merge part-1 less part-3
 ends 0 run --output late --shard 2/3 --time-limit 600
-expect 2 'pulloff: late/shard-2-of-3.json has other scenes of case drawn than part-1/*' merge part-1 late part-3
+expect 2 'pulloff: late/shard-2-of-3.json: time_limit is 600: expected none, as in part-1/shard-1-of-3.json' \
+  merge part-1 late part-3
 for k in 1 3; do ends 0 run --output late --shard $k/3 --time-limit 600; done
 ends 0 merge --output limited late
 check 'the time limit of the shards applies' grep -q -e '--time-limit 600' limited/drawn/record.json
