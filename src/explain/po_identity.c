@@ -95,8 +95,11 @@ static void describe(const po_case_run *run, difference *found, po_text *lines) 
     if (pin->ledger != PO_LEDGER_PIN || pin->verdict == PO_IDENTICAL)
       continue;
     found->pins += 1;
-    po_text_add(lines, "%s: %s is not its pin: %.17g for %.17g\n", kase->file->name, pin->id,
-                pin->obtained, pin->expected);
+    if (pin->verdict == PO_MISSING_REFERENCE)
+      po_text_add(lines, "%s: %s has no pin\n", kase->file->name, pin->id);
+    else
+      po_text_add(lines, "%s: %s is not its pin: %.17g for %.17g\n", kase->file->name, pin->id,
+                  pin->obtained, pin->expected);
   }
 }
 

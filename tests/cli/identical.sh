@@ -34,6 +34,8 @@ alter() {
 # Without stored digests there is nothing to compare.
 expect 1 '*' verify good --output run
 silent identical
+expect 1 '*' verify good --output run --identical
+says '^good: pull_off_force/pin/radius=90 has no pin$'
 expect 0 '*' bless good --reason first --output run
 says '^cases/pins/good.digests.csv: 3 digests, 3 new$'
 check 'one row a point' test 3 -eq "$(grep -c -E '^[0-2],[0-9a-f]{16},1\.[0-9]{14}' "$digests")"
