@@ -93,7 +93,7 @@ typedef struct {
   po_axis *when; /* a combination is excluded if all these conditions hold */
   unsigned when_count;
   char *because;
-  size_t points; /* number of excluded combinations */
+  size_t points; /* number of combinations for which they hold; rules may overlap */
 } po_leave_out;
 
 /* The content of a case file. po_schema.c fills it; po_case_parse.c checks and parses it. */

@@ -324,14 +324,15 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
 }
 
 static bool is_left_out(po_case_file *file, const po_request *request) {
+  bool excluded = false;
   for (unsigned i = 0; i < file->leave_out_count; ++i) {
     po_leave_out *rule = &file->leave_out[i];
     if (po_axes_hold(rule->when, rule->when_count, request)) {
       rule->points += 1;
-      return true;
+      excluded = true;
     }
   }
-  return false;
+  return excluded;
 }
 
 /* Keeps the points that no rule excludes, and numbers them from 0. */

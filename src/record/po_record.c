@@ -114,7 +114,7 @@ static json_t *conditions(const po_leave_out *rule) {
   return when;
 }
 
-/* Returned: the rules of `leave_out`, with the number of points that each excludes. */
+/* Returned: the rules of `leave_out`, with the number of combinations for which each holds. */
 static json_t *not_solved(const po_case *kase) {
   json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < kase->file->leave_out_count; ++i) {

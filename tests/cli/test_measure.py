@@ -50,6 +50,15 @@ def test_the_plan(measured):
     assert any("repeat each solve 3 times, one solve at a time, in rounds" in line for line in planned)
 
 
+def test_rules_that_overlap(measured):
+    """A rule was refused if an earlier one excludes all points for which it holds."""
+    rule = "  - {when: [{key: tabor, values: [0.7]}, {key: nodes, values: [63]}, {key: scheme, values: [ring]}], because: also}\n"
+    measured.write_text(CASE.replace("repeats", rule + "repeats").lstrip("\n"))
+    planned = expect(0, "", "plan measured").out.splitlines()
+    for line in ("  leave out 1 scene: it is made so", "  leave out 1 scene: also"):
+        assert line in planned
+
+
 def test_the_record(measured):
     """Measured quantities have no verdict, so even a wrong value does not fail."""
     expect(0, "*measured: 5 points, 0 checks: within", "verify")
