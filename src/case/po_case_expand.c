@@ -45,13 +45,19 @@ static void find_names(po_sweep *sweep) {
       }
 }
 
+/* Numbers are compared by value: 1 and 1.0 are the same. */
+static int by_value(const char *p, const char *q) {
+  double x = 0, y = 0;
+  return po_number_parse(p, &x) && po_number_parse(q, &y) ? (x > y) - (x < y) : strcmp(p, q);
+}
+
 static int by_settings(const void *a, const void *b, void *unused) {
   const po_scene_words *x = a, *y = b;
   int order = 0;
   (void)unused;
   for (int key = 0; key < PO_KEY_END && !order; ++key) {
     const char *p = x->values[key], *q = y->values[key];
-    order = p && q ? strcmp(p, q) : (p != NULL) - (q != NULL);
+    order = p && q ? by_value(p, q) : (p != NULL) - (q != NULL);
   }
   return order;
 }

@@ -119,6 +119,7 @@ RING, TABOR, FORCE = "{scheme: ring, nodes: 63}", "tabor: 0.7}", "force, referen
     (TABOR, "tabor: -7}", "8: sweep[[]1].together[[]2].tabor is -7: expected *"),
     ("{tabor: 0.7}", "{approach_end: 0.7}", "8: sweep[[]1].together[[]2].tabor is missing: expected *"),
     (RING, "{scheme: triangle, nodes: 63}", "12: sweep[[]2].together[[]3] is *: expected each setting once"),
+    (TABOR, "tabor: 0.0, approach_end: 5e-1}", "8: sweep[[]1].together[[]2] is *: expected each setting once"),
     (RING, "{scheme: ring}", "12: sweep[[]2].together[[]3].nodes is missing: expected *"),
     (TABOR, "tabour: 0.7}", "8: sweep[[]1].together[[]2].tabour is unknown: expected one of tabor, *"),
     ("leave_out:", "  - {key: nodes}\nleave_out:", "13: sweep[[]3].values is missing: expected a list of values, or from, to and count"),
