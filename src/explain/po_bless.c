@@ -22,10 +22,12 @@ typedef struct {
 typedef struct {
   pinned *items;
   size_t count;
+  size_t *scenes; /* see po_pins_scenes */
 } pin_list;
 
-/* Adds a value, unless another check has added it already. */
+/* Adds a value, unless another check, or a point with the same scene, has added it already. */
 static po_status add(pin_list *list, size_t point, const char *name, double value) {
+  point = list->scenes[point];
   for (size_t i = 0; i < list->count; ++i)
     if (list->items[i].point == point && strcmp(list->items[i].name, name) == 0)
       return PO_OK;
@@ -80,11 +82,12 @@ static po_status add_check(const po_case_run *run, const po_check *check, size_t
              po_compare_obtained(check->quantity, result));
 }
 
-/* Lists all values that the checks of the case pin, each once. Status: PO_NO_MEMORY. */
+/* Lists all values that the checks of the case pin, each once. The caller frees both arrays.
+ * Status: PO_NO_MEMORY. */
 static po_status list_pins(const po_case_run *run, pin_list *list) {
   const po_case *kase = run->plan->kase;
-  po_status status = PO_OK;
-  *list = (pin_list){0};
+  *list = (pin_list){.scenes = po_allocate(kase->point_count, sizeof *list->scenes)};
+  po_status status = list->scenes ? po_pins_scenes(kase, list->scenes) : PO_NO_MEMORY;
   for (size_t point = 0; !status && point < kase->point_count; ++point)
     for (unsigned c = 0; !status && c < kase->file->checks_count; ++c)
       status = add_check(run, &kase->file->checks[c], point, list);
@@ -337,6 +340,7 @@ static po_status bless_pins(const po_case_run *run, const char *who, const char 
     po_text_add(report, "%s: %zu pins, all as they were; nothing is written\n", old->shown.text,
                 list.count);
   free(list.items);
+  free(list.scenes);
   return status;
 }
 

@@ -2,9 +2,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_file.h"
+#include "po_memory.h"
 #include "po_quote.h"
 
 const char *const PO_WORK_COUNTER_NAMES[PO_WORK_COUNTERS] = {
@@ -24,6 +26,48 @@ void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TE
     snprintf(text, PO_KEY_TEXT_LENGTH, "%s", po_profile_digest(&request->scene.profile));
   else
     po_key_print(request, key, text);
+}
+
+typedef struct {
+  char digest[PO_DIGEST_LENGTH];
+  size_t point;
+} point_scene;
+
+static int by_scene(const void *a, const void *b) {
+  const point_scene *x = a, *y = b;
+  const int order = strcmp(x->digest, y->digest);
+  return order ? order : (x->point > y->point) - (x->point < y->point);
+}
+
+static po_status digest_scene(const po_request *request, char digest[PO_DIGEST_LENGTH]) {
+  po_text text = {0};
+  char value[PO_KEY_TEXT_LENGTH];
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    po_pins_key_text(request, key, value);
+    po_text_add(&text, "%s\n", value);
+  }
+  po_digest_bytes(po_text_string(&text), text.length, digest);
+  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  po_text_clear(&text);
+  return status;
+}
+
+po_status po_pins_scenes(const po_case *kase, size_t *first) {
+  const size_t count = kase->point_count;
+  point_scene *scenes = po_allocate(count, sizeof *scenes);
+  po_status status = scenes ? PO_OK : PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < count; ++i) {
+    scenes[i].point = i;
+    status = digest_scene(&kase->points[i].request, scenes[i].digest);
+  }
+  if (!status)
+    qsort(scenes, count, sizeof *scenes, by_scene);
+  for (size_t i = 0; !status && i < count; ++i) {
+    const bool again = i > 0 && strcmp(scenes[i].digest, scenes[i - 1].digest) == 0;
+    first[scenes[i].point] = again ? first[scenes[i - 1].point] : scenes[i].point;
+  }
+  free(scenes);
+  return status;
 }
 
 void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size_t index, bool load,

@@ -4,7 +4,7 @@
  * The pins of a case are the table pins/NAME.csv in the folder of the case file. The table has the
  * headers of a reference, a header `blessing N` for each time the pins were set (date, user,
  * program, reason), a header `checked N` for each oracle whose checks passed then, and one row for
- * each point and quantity. The keys in the headers and in the row identify the scene. A key that is
+ * each scene and quantity. The keys in the headers and in the row identify the scene. A key that is
  * absent or "-" has no influence on the scene (see po_key_is_idle), or is the time limit, which
  * does not change the numbers of a solve that ends within it. */
 #ifndef PO_PINS_H
@@ -43,6 +43,11 @@ double po_work_count(const po_work *work, int counter);
 
 /* Returned: in `text`, the value of a key as written in a table of pins, or "-". */
 void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]);
+
+/* Points that differ only in keys without influence have the same scene, and share its pins.
+ * Returned: in `first`, for each point of the case the first point with its scene.
+ * Status: PO_NO_MEMORY. */
+po_status po_pins_scenes(const po_case *kase, size_t *first);
 
 /* The stored digests of the results of a case: the table pins/NAME.digests.csv in the folder of the
  * case file, with the columns point, digest and pull_off_force ("-": none), a row each point. The

@@ -157,6 +157,18 @@ rm -r my/pins
 : >my/pins
 refused 4 'the folder my/pins cannot be created: ' bless my/own.yaml --reason 'mine'
 
+# Points that differ only in a key without influence, here the nodes of panels, are one scene with one pin. Each had its
+# own, and every verb refused the file.
+restore
+sed -i '/^  scheme/d; /^  nodes/d
+  s/^want/sweep: [{key: scheme, values: [panel, triangle]}, {key: nodes, values: [51, 61]}]\nwant/' "$file"
+add_pin "$file" pull_off_force 1e-10 rel
+expect 0 '*' bless good --reason 'three scenes' --output run
+says 'one pin a scene' ': 3 pins, 0 moved, 3 new, 0 dropped$'
+verified 0 'pull_off_force .*scheme=panel nodes=61 .* identical'
+expect 0 '*' bless good --reason 'again' --output run
+says 'no pin is missing' '3 pins, all as they were; nothing is written'
+
 # bless accepts a solve that failed if the stated fraction of solves may fail.
 restore
 sed -i 's/^want/sweep: [{key: approach_end, values: [0.1, 0.2, 5]}]\nwant/; s/quantity: pull_off_force/quantity: solved_share/;
