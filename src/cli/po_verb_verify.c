@@ -204,8 +204,9 @@ static po_status print_identity(const verify_line *line, bool *differs) {
   po_text lines = {0}, text = {0};
   const po_status status =
       po_identity_compare(line->session.runs, line->session.run_count, &identity, &lines);
-  *differs = identity.beyond > 0 ||
-             (line->identical && (identity.pins > 0 || identity.identical < identity.compared));
+  const size_t different =
+      identity.compared - identity.identical + identity.pins + identity.other_scenes;
+  *differs = identity.beyond > 0 || (line->identical && different > 0);
   if (*differs)
     po_text_add(&text, "%s", po_text_string(&lines));
   po_identity_add(&identity, &text);

@@ -344,9 +344,10 @@ static po_status bless_pins(const po_case_run *run, const char *who, const char 
   return status;
 }
 
-/* Adds the row of a point to a table of digests. Returned: whether it is not in the old table. */
+/* Adds the row of a point to a table of digests. Adds 1 to *changed if the old table has another.
+ */
 static po_status add_digest(const po_case_run *run, size_t i, const po_reference *old,
-                            po_text *rows, bool *is_new) {
+                            po_text *rows, size_t *changed) {
   const po_result *result = &run->points[i].result;
   const char *id = run->plan->kase->points[i].id, *before = "";
   char digest[PO_RESULT_DIGEST_LENGTH], force[PO_NUMBER_LENGTH] = "-";
@@ -357,7 +358,7 @@ static po_status add_digest(const po_case_run *run, size_t i, const po_reference
   if (result->has_pull_off)
     po_number_print(result->pull_off.force, force);
   po_text_add(rows, "%s,%s,%s\n", id, digest, force);
-  *is_new = !status && strcmp(digest, before) != 0;
+  *changed += !status && strcmp(digest, before) != 0;
   return status;
 }
 
@@ -367,15 +368,14 @@ static po_status bless_digests(const po_case_run *run, const char *who, const ch
   po_reference old;
   po_text header = {0}, rows = {0};
   size_t changed = 0;
-  po_status status = po_digests_open(run->plan->kase, &old);
+  char scenes[PO_DIGEST_LENGTH];
+  po_status status = po_digests_open(run->plan->kase, scenes, &old);
   po_text_add(&rows, "point,digest,pull_off_force\n");
-  for (size_t i = 0; !status && i < count; ++i) {
-    bool is_new = false;
-    status = add_digest(run, i, &old, &rows, &is_new);
-    changed += is_new;
-  }
+  for (size_t i = 0; !status && i < count; ++i)
+    status = add_digest(run, i, &old, &rows, &changed);
   if (!status && (changed || old.table.row_count != count)) {
     add_headers(run, &old, "digests of the results", who, reason, &header);
+    po_text_add(&header, "# scenes: %s\n", scenes);
     status = write_table(old.path.text, &header, &rows);
   }
   if (!status)

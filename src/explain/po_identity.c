@@ -106,8 +106,16 @@ static void describe(const po_case_run *run, difference *found, po_text *lines) 
 static po_status compare_case(const po_case_run *run, po_identity *identity, po_text *lines) {
   const po_case *kase = run->plan->kase;
   po_reference digests;
+  char scenes[PO_DIGEST_LENGTH];
   difference found = {0};
-  po_status status = po_digests_open(kase, &digests);
+  po_status status = po_digests_open(kase, scenes, &digests);
+  if (!status && po_pins_exist(&digests) && !digests.table.row_count) {
+    identity->other_scenes += 1;
+    po_text_add(lines,
+                "%s: its scenes are not those whose results were stored, and none is compared; "
+                "pulloff bless %s --reason TEXT stores the results of these scenes\n",
+                kase->file->name, po_case_word(kase));
+  }
   for (size_t i = 0; !status && i < kase->point_count; ++i)
     if (run->points[i].asked)
       status = compare_point(run, &digests, i, identity, &found);
@@ -124,7 +132,8 @@ po_status po_identity_check(const po_case_run *runs, size_t count) {
   po_status status = PO_OK;
   for (size_t r = 0; !status && r < count; ++r) {
     po_reference digests;
-    status = po_digests_open(runs[r].plan->kase, &digests);
+    char scenes[PO_DIGEST_LENGTH];
+    status = po_digests_open(runs[r].plan->kase, scenes, &digests);
     po_reference_close(&digests);
   }
   return status;

@@ -51,11 +51,16 @@ po_status po_pins_scenes(const po_case *kase, size_t *first);
 
 /* The stored digests of the results of a case: the table pins/NAME.digests.csv in the folder of the
  * case file, with the columns point, digest and pull_off_force ("-": none), a row each point. The
- * force says by how much a result with another digest differs.
+ * force says by how much a result with another digest differs. The header `scenes` is the SHA-256
+ * of all scenes of the case then, without their time limits: a number names the same point only as
+ * long as the scenes are the same.
  *
- * Opens the table; if there is none, the status is PO_OK, and it has no rows. The caller closes it
- * with po_reference_close. Status: PO_CANNOT_READ with file and line, PO_NO_MEMORY. */
-po_status po_digests_open(const po_case *kase, po_reference *digests);
+ * Opens the table; if there is none, the status is PO_OK. It has no rows then, nor if it is of
+ * other scenes than those of the case. Returned: in `scenes`, the digest of the scenes of the case.
+ * The caller closes the table with po_reference_close. Status: PO_CANNOT_READ with file and line,
+ * PO_NO_MEMORY. */
+po_status po_digests_open(const po_case *kase, char scenes[PO_DIGEST_LENGTH],
+                          po_reference *digests);
 
 /* Looks up a point. Returned: in *digest, its digest, which belongs to the table; in *force, its
  * pull-off force in pi w R, NAN: none. Status: PO_NOT_FOUND, PO_CANNOT_READ. */

@@ -110,6 +110,26 @@ expect 0 '*' verify good --output run
 expect 1 '*' verify good --output run --identical
 says "^good: work/pin/radius=100/points is not its pin: $points for $((points + 1))$"
 
+# Digests of other scenes are not compared: those of the same numbers were, and each result differed.
+cp first_pins.csv "$pins"
+expect 0 '*' verify good --output run --identical --time-limit 500
+says '^3 of 3 results are identical'
+sed -i 's/\[90, 100, 110\]/[110, 100, 90]/' "$folder/good.yaml"
+expect 0 '*' verify good --output run
+silent 'results are\|scenes'
+expect 1 '*' verify good --output run --identical
+says '^good: its scenes are not those whose results were stored, and none is compared; pulloff bless good --reason TEXT stores '
+expect 0 '*' bless good --reason 'the other way round' --output run
+says '^cases/pins/good.digests.csv: 3 digests, 3 new$'
+check 'every blessing is kept' test 2 -eq "$(grep -c '^# blessing' "$digests")"
+expect 0 '*' verify good --output run --identical
+says '^3 of 3 results are identical'
+alter '/^# scenes:/d'
+expect 1 '*' verify good --output run --identical
+says '^good: its scenes are not those'
+expect 0 '*' bless good --reason 'without scenes' --output run
+check 'bless adds the scenes' grep -q '^# scenes: [0-9a-f]\{64\}$' "$digests"
+
 # Several cases at once, or a suite.
 sed 's/^name: good/name: other/' "$folder/good.yaml" >"$folder/other.yaml"
 ends 0 bless good other --reason both --output run
