@@ -176,7 +176,7 @@ class Scene:
     def solve(self, **values):
         """Solves the scene, with further keys, which stay unset in the scene itself. Returns a Result. Raises SolveError
         if the solve ended early. Ctrl-C in the main thread ends the solve."""
-        scene = self.copy() if values else self
+        scene = self.copy()  # which alone has the flag of an interruption
         scene.update(**values)
         message, handle = Message(), ctypes.c_void_p()
         status = _check(_interruptible(scene, lambda: C.pulloff_solve(scene._handle, handle, message)), message)

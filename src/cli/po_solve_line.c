@@ -55,12 +55,7 @@ po_status po_solve_line_end(po_solve_line *line) {
                                  "and the file -");
   if (line->smoothed && isnan(request->scene.profile.parameter[PO_TABLE_SMOOTH]))
     return po_fail(PO_BAD_INPUT, "--smoothed is given without --smooth: expected both");
-  if (!isnan(request->stiffness))
-    request->want |= PO_WANT_HYSTERESIS;
-  if (!isnan(request->profile_approach))
-    request->want |= PO_WANT_PROFILE;
-  po_request_choose_search(request);
-  return po_request_check(request);
+  return po_request_complete(request);
 }
 
 typedef struct {

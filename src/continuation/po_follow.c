@@ -25,6 +25,9 @@ static const double FIRST_PART = 0.02;
  * step fails; and the same for the first step. Each attempt at that is a tenth of the one before:
  * the third is the last. */
 static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 0.025 * FIRST_PART;
+/* The same of a fold, at any step: nothing replaces it if it is given up, and the scenes may be far
+ * apart. */
+static const double SHORTEST_PART_OF_FOLD = 1e-6;
 
 /* A mark: the solution of the special point at one value of the parameter, and its scene. */
 typedef struct {
@@ -308,8 +311,10 @@ po_status po_follow_to(po_follower *f, double at) {
     const bool last = fabs(left) <= most;
     const double step = last ? left : copysign(most, left);
     const double to = last ? at : mark_of(f, 0)->at + step;
-    const bool shortest =
-        fabs(step) < (f->count == 1 ? SHORTEST_FIRST_PART : SHORTEST_PART) * fabs(whole);
+    const double part = f->of == PO_OF_APPROACH ? SHORTEST_PART_OF_FOLD
+                        : f->count == 1         ? SHORTEST_FIRST_PART
+                                                : SHORTEST_PART;
+    const bool shortest = fabs(step) < part * fabs(whole);
     double error = INFINITY;
     const po_status tried = try_step(f, to, shortest, &error);
     if (tried == PO_NO_MEMORY)

@@ -295,8 +295,8 @@ po_status po_given_check_waves(po_given *given) {
       po_given_has(given, PO_KEY_AMPLITUDE) || given->text[PO_KEY_AMPLITUDE_RATIO];
   const bool smooth =
       !is_not_zero(given, PO_KEY_AMPLITUDE) && !is_not_zero(given, PO_KEY_AMPLITUDE_RATIO);
-  if (amplitude ? smooth || is_not_zero(given, PO_KEY_WAVELENGTH)
-                : !po_given_has(given, PO_KEY_WAVELENGTH))
+  if (amplitude ? smooth || given->text[PO_KEY_ALPHA] || is_not_zero(given, PO_KEY_WAVELENGTH)
+                : !po_given_has(given, PO_KEY_WAVELENGTH) && !given->text[PO_KEY_ALPHA])
     return PO_OK;
   const po_key key = amplitude ? PO_KEY_WAVELENGTH : PO_KEY_AMPLITUDE;
   char name[PO_KEY_NAME_LENGTH];

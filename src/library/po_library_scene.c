@@ -40,6 +40,7 @@ pulloff_status pulloff_scene_copy(const pulloff_scene *scene, pulloff_scene **co
   if (status)
     return status;
   **copy = *scene;
+  (*copy)->stop = NULL;
   bool whole = true;
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     (*copy)->text[key] = scene->text[key] ? po_copy_text(scene->text[key]) : NULL;
@@ -163,11 +164,8 @@ po_status po_library_request(const pulloff_scene *scene, int key, const char *va
   if (status)
     return status;
   request->want = scene->want;
-  if (!isnan(request->profile_approach))
-    request->want |= PO_WANT_PROFILE;
   request->stop = scene->stop;
-  po_request_choose_search(request);
-  return po_request_check(request);
+  return po_request_complete(request);
 }
 
 static po_status get(const pulloff_scene *scene, int key, char *text, size_t size) {
@@ -236,6 +234,7 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
   if (!status) {
     const pulloff_scene before = *scene;
     *scene = *changed;
+    scene->stop = before.stop;
     *changed = before;
     if (units)
       *units = po_library_units(&request);

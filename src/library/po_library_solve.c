@@ -17,9 +17,18 @@ static bool has_result(po_status status) {
   return status >= 0;
 }
 
+/* As po_library_request. An amplitude without a wavelength, and the reverse, are refused, which a
+ * scene may have until the other one is set. */
+static po_status request_of(const pulloff_scene *scene, int key, const char *value,
+                            po_request *request) {
+  po_given given = po_library_given(scene, key, value);
+  const po_status status = po_library_request(scene, key, value, request);
+  return status ? status : po_given_check_waves(&given);
+}
+
 static po_status solve(const pulloff_scene *scene, pulloff_result **result) {
   po_request request;
-  po_status status = po_library_request(scene, -1, NULL, &request);
+  po_status status = request_of(scene, -1, NULL, &request);
   if (status)
     return status;
   po_result solved = {0};
@@ -57,8 +66,12 @@ static po_status make_requests(const pulloff_scene *scene, const char *name, con
   for (size_t k = 0; k < count && !status; ++k) {
     char text[PO_NUMBER_LENGTH];
     po_number_print(values[k], text);
-    status = po_library_request(scene, key, text, &requests[k]);
+    status = request_of(scene, key, text, &requests[k]);
     requests[k].search = PO_SEARCH_NONE;
+    if (!status && !isnan(requests[k].stiffness))
+      status =
+          po_fail(PO_BAD_INPUT, "stiffness is %g: expected none, as it has no effect on a series",
+                  requests[k].stiffness);
   }
   return status;
 }

@@ -91,7 +91,7 @@ typedef struct pulloff_scene pulloff_scene;
  * PULLOFF_NO_MEMORY. */
 pulloff_status pulloff_scene_create(pulloff_scene **scene, pulloff_message *message);
 
-/* Creates a copy. Status: PULLOFF_NO_MEMORY. */
+/* Creates a copy, without the flag of pulloff_scene_set_stop. Status: PULLOFF_NO_MEMORY. */
 pulloff_status pulloff_scene_copy(const pulloff_scene *scene, pulloff_scene **copy,
                                   pulloff_message *message);
 
@@ -269,8 +269,8 @@ pulloff_status pulloff_result_column(const pulloff_result *result, const char *p
  * units; *units is then unchanged. */
 bool pulloff_result_units(const pulloff_result *result, pulloff_units *units);
 
-/* The JSON document, as the program prints it. Returned: *text, to be released with pulloff_free.
- * Status: PULLOFF_NO_MEMORY. */
+/* The JSON document, as the program prints it, without its part `physical`. Returned: *text, to be
+ * released with pulloff_free. Status: PULLOFF_NO_MEMORY. */
 pulloff_status pulloff_result_json(const pulloff_result *result, char **text,
                                    pulloff_message *message);
 void pulloff_free(char *text);

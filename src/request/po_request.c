@@ -98,6 +98,15 @@ po_status po_request_check(const po_request *request) {
   return PO_OK;
 }
 
+po_status po_request_complete(po_request *request) {
+  if (!isnan(request->stiffness))
+    request->want |= PO_WANT_HYSTERESIS;
+  if (!isnan(request->profile_approach))
+    request->want |= PO_WANT_PROFILE;
+  po_request_choose_search(request);
+  return po_request_check(request);
+}
+
 double po_request_bound(const po_request *request, double load) {
   const po_companion *companion = request->companion;
   return companion ? companion->bound(&request->scene, load) : (double)NAN;

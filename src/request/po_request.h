@@ -115,6 +115,11 @@ po_preload po_request_preload(const po_request *request);
  * wanted but the theories. */
 void po_request_choose_search(po_request *request);
 
+/* Completes a request that was given key by key: a stiffness asks for loading and unloading, and an
+ * approach of the profile for the profile; chooses the search, and checks the request. Status:
+ * PO_BAD_INPUT. */
+po_status po_request_complete(po_request *request);
+
 /* Whether the trace continues beyond the preload: PO_SEARCH_ALL for a preload of INFINITY and if
  * PO_WANT_PRELOAD, otherwise that of the request. */
 po_search po_request_search(const po_request *request);

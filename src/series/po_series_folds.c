@@ -30,7 +30,8 @@ static void fail_others(const po_series_scenes *l, size_t place, po_status statu
     if (!isnan(o->folds[place].approach))
       continue;
     o->status = status;
-    snprintf(o->reason, sizeof o->reason, "%s", po_message());
+    snprintf(o->reason, sizeof o->reason, "%s",
+             *po_message() ? po_message() : po_status_text(status));
   }
 }
 
@@ -40,7 +41,7 @@ static po_status follow(followed *f, const po_solution *point) {
   const po_status status = po_series_follow(&f->course, point, 0, l->count - 1);
   if (status == PO_INTERRUPTED)
     return status;
-  if (status == PO_OUT_OF_TIME)
+  if (status && status != PO_NOT_FOUND)
     fail_others(l, f->place, status);
   po_message_clear();
   return status == PO_NO_MEMORY ? status : PO_OK;

@@ -294,3 +294,15 @@ def test_printed_si_units():
 def test_one_warning_for_a_series_that_looks_like_metres():
     ended = run("follow --key radius --from 1e-3 --to 5e-3 --points 3")
     assert ended.err.count("warning: --radius is 0.001 epsilon, which looks like metres") == 1
+
+
+@pytest.mark.parametrize("words", ["--key amplitude --from 0.3 --to 0.8 --tabor 2 --wavelength 10",
+                                   "--key tabor --from 3 --to 2.9 --amplitude 1 --wavelength 10 --outer-radius 40"])
+def test_folds_do_not_depend_on_the_number_of_scenes(words):
+    """A fold is followed for as long as it exists, however far apart the scenes are."""
+    last = [document(f"follow {words} --of folds --points {points}")["points"][-1]["folds"] for points in (2, 6)]
+    assert len(last[0]) == len(last[1]) > 5
+    for few, many in zip(*last):
+        assert (few["approach"] is None) == (many["approach"] is None)
+        if few["approach"] is not None:
+            agree(few, many, "approach")

@@ -191,6 +191,33 @@ class Scenes(unittest.TestCase):
             thread.join()
         self.assertEqual(found, single)
 
+    def test_threads_beside_a_solve_of_the_same_scene(self):
+        """The flag of an interruption of the main thread belongs to no other solve."""
+        scene, found = pulloff.Scene(tabor=4, amplitude=2, wavelength=15), []
+        workers = [threading.Timer(0.02, lambda: found.append(scene.solve().pull_off.force)) for _ in range(3)]
+        workers += [threading.Timer(0.02, lambda: found.append(scene.copy().solve(tolerance=1.1e-6).pull_off.force))]
+        for worker in workers:
+            worker.start()
+        first = scene.solve().pull_off.force
+        for worker in workers:
+            worker.join()
+        self.assertEqual(len(found), 4)
+        for force in found:
+            self.assertAlmostEqual(force, first, delta=1e-5)
+
+    def test_a_stiffness_as_for_the_program(self):
+        self.assertEqual(timeless(pulloff.solve(tabor=2, stiffness=0.3).document), timeless(program("solve", "--tabor", "2", "--stiffness", "0.3")))
+        with self.assertRaisesRegex(pulloff.Error, "stiffness is 0.3: expected none"):
+            pulloff.follow("tabor", [1, 2], stiffness=0.3)
+
+    def test_half_of_a_wave(self):
+        for key, value in (("wavelength", 5), ("alpha", 0.1), ("amplitude_ratio", 0.1)):
+            with self.assertRaisesRegex(pulloff.Error, "missing: expected it beside"):
+                pulloff.solve(**{key: value})
+        with self.assertRaisesRegex(pulloff.Error, "missing: expected it beside"):
+            pulloff.follow("wavelength", [5, 6])
+        self.assertGreater(pulloff.solve(amplitude=0.5, alpha=0.3).pull_off.force, 1)
+
     def test_an_interrupt_ends_a_solve(self):
         source = ("import os, pulloff, signal, threading, time\n"
                   "threading.Timer(0.7, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
