@@ -15,8 +15,8 @@ def options(command):
 
 
 def fragment(command):
-    """The scene of a command, as the address of the page has it."""
-    return "#" + "&".join(f"{name}={value}" for name, value in options(command).items())
+    """The scene of a command, as the address of the page has it. The page chooses its additional results itself."""
+    return "#" + "&".join(f"{name}={value}" for name, value in options(command).items() if name != "want")
 
 
 def link(href, title, shape, **attributes):

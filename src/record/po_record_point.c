@@ -188,12 +188,13 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
   return status ? status : *entry ? PO_OK : PO_NO_MEMORY;
 }
 
-/* Returned: the command that repeats the solve of a point. */
+/* Returned: the command that solves a point again; one that was followed alone, as the scene of the
+ * command is also what the report shows. */
 static json_t *command_json(const po_case_run *run, size_t index) {
   po_text text = {0};
   po_request shown = shown_request(run->plan->kase, &run->plan->kase->points[index]);
   shown.want = run->plan->want;
-  if (po_case_run_needs_rerun(run, index))
+  if (run->plan->solver)
     po_plan_add_rerun(run->plan, index, &text);
   else
     po_input_add_command(&shown, &text);

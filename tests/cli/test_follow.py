@@ -206,15 +206,20 @@ def test_the_command_of_a_traced_point_repeats_it(data, want):
         assert document(point["command"].removeprefix("pulloff ")).get("digest") == point["digest"]
 
 
-def test_the_command_of_a_followed_point_repeats_it(data):
+def test_the_command_that_explain_prints_for_a_followed_point_repeats_it(data):
     write(data, EVERY_4)
     expect(0, "*", "run good --output whole --time-limit 60")
     followed = [p for p in load("whole/good/record.json")["points"] if p["followed"]]
-    for point in followed[::3]:
-        assert point["command"] == f"pulloff verify good --points {point['id']} --time-limit 60 --fresh --verbose"
-        expect(0, "*", point["command"].removeprefix("pulloff "), "--output", "again")
-        assert f'"digest":"{point["digest"]}"' in pathlib.Path("again/good/points.jsonl").read_text()
-    assert len(followed) > 3
+    write(data, EVERY_4 + "\ntraced: {seed: 7, count: 3}", against="pull_off_force")
+    told = expect(0, "*", "explain good --all --output traced --time-limit 60").out
+    commands = re.findall(r"^  rerun +(pulloff verify good --points ([0-9]+) .*)$", told, re.M)
+    assert len(followed) > 3 and len(commands) == 3
+    for command, number in commands:
+        assert command == f"pulloff verify good --points {number} --time-limit 60 --fresh --verbose --output traced"
+        expect(0, "*", command.removeprefix("pulloff ").replace("--output traced", "--output again"))
+        [digest_of] = [p["digest"] for p in followed if p["id"] == number]
+        assert f'"digest":"{digest_of}"' in pathlib.Path("again/good/points.jsonl").read_text()
+
 
 
 def test_printed_commands_have_the_time_limit(data):

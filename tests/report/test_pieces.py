@@ -315,6 +315,9 @@ class Paper(unittest.TestCase):
         self.assertIn("10<sup>\u22124</sup> of its tolerance (force, a &lt; b, case made). Where", text)
         self.assertIn("10<sup>\u22125</sup> of the stated one.", text)
 
+    def test_a_link_to_a_scene_asks_for_nothing_beside(self):
+        self.assertEqual(live.fragment("pulloff solve --tabor 1 --law mie:3,9 --want curve,hysteresis"), "#tabor=1&law=mie:3,9")
+
     def test_a_version_without_its_build_options(self):
         self.assertEqual([findings.short_version("GSL", text) for text in ("gcc 12.2.0", "2.7.1", "OpenBLAS 0.3.21 NO_LAPACKE", "git")],
                          ["gcc 12.2.0", "GSL 2.7.1", "OpenBLAS 0.3.21", "git"])
