@@ -28,8 +28,10 @@ static const char HELP[] =
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP
         PO_SESSION_POINTS_HELP PO_SESSION_SOLVE_HELP
-    "  --identical       exit code 1 also if a result or a pin is not the same to the last bit;\n"
-    "                    prints how far each case is off, and which oracles can judge it\n"
+    "  --identical       exit code 1 also if a result or a pin is not the same to the last bit, "
+    "or\n"
+    "                    the stored results are of other scenes; prints how far each case is off,\n"
+    "                    and which oracles can judge it\n"
     "  --verbose         print a line for every check\n"
     "  --tap             print the verdicts as TAP 13, one line a check\n"
     "  --junit FILE      write the verdicts also to FILE, as JUnit XML\n"

@@ -167,8 +167,7 @@ static void blame_traced(const po_case_run *run, const po_check_result *item, po
   if (fabs(item->error) <= errors)
     say(blame, "tolerance",
         "the difference is within the stated errors of both values together, %.2g: the tolerance "
-        "is "
-        "smaller than these",
+        "is smaller than these",
         errors);
   else
     say(blame, "program",

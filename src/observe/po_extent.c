@@ -14,8 +14,9 @@
 #include "po_scales.h"
 
 /* If the repulsion of the central crest is PUSH_PER_LOAD times the load plus PUSH_BEYOND_LOAD, it
- * exceeds the load and all attraction: the attraction is at most the term 8/(3 x^2) of Eq 23, at
- * the x at which the repulsive term 2/(3 x^8) has that value. */
+ * exceeds the load and all attraction. For Lennard-Jones the attraction is at most the term
+ * 8/(3 x^2) of Eq 23, at the x at which the repulsive term 2/(3 x^8) has that value; of another law
+ * its own attraction is taken off (po_law_approach_of_push). */
 static const double PUSH_PER_LOAD = 1.1, PUSH_BEYOND_LOAD = 8.0;
 
 /* Bisections of the approach at which the load of rigid bodies has a value. */

@@ -188,8 +188,8 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
   return status ? status : *entry ? PO_OK : PO_NO_MEMORY;
 }
 
-/* Returned: the command that solves a point again; one that was followed alone, as the scene of the
- * command is also what the report shows. */
+/* Returned: the command that solves a point again. That of a followed point traces its scene, to
+ * which the report links; po_plan_add_rerun has the command that follows it again. */
 static json_t *command_json(const po_case_run *run, size_t index) {
   po_text text = {0};
   po_request shown = shown_request(run->plan->kase, &run->plan->kase->points[index]);

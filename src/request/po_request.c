@@ -46,7 +46,7 @@ po_preload po_request_preload(const po_request *request) {
   return (po_preload){(double)NAN, PO_USUAL_PRELOAD};
 }
 
-void po_request_choose_search(po_request *request) {
+static void choose_search(po_request *request) {
   if (!(request->want & ~(unsigned)PO_WANT_THEORIES) && isnan(request->preload.approach) &&
       isnan(request->preload.load))
     request->search = PO_SEARCH_SOME;
@@ -103,7 +103,7 @@ po_status po_request_complete(po_request *request) {
     request->want |= PO_WANT_HYSTERESIS;
   if (!isnan(request->profile_approach))
     request->want |= PO_WANT_PROFILE;
-  po_request_choose_search(request);
+  choose_search(request);
   return po_request_check(request);
 }
 

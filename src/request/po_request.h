@@ -111,13 +111,10 @@ extern const double PO_USUAL_PRELOAD;
  * the default load. */
 po_preload po_request_preload(const po_request *request);
 
-/* The search of a single solve: PO_SEARCH_SOME if neither a preload nor an additional result is
- * wanted but the theories. */
-void po_request_choose_search(po_request *request);
-
 /* Completes a request that was given key by key: a stiffness asks for loading and unloading, and an
- * approach of the profile for the profile; chooses the search, and checks the request. Status:
- * PO_BAD_INPUT. */
+ * approach of the profile for the profile. The search of a single solve is PO_SEARCH_SOME if
+ * neither a preload nor an additional result is wanted but the theories. Status: as
+ * po_request_check. */
 po_status po_request_complete(po_request *request);
 
 /* Whether the trace continues beyond the preload: PO_SEARCH_ALL for a preload of INFINITY and if

@@ -28,6 +28,14 @@ interrupt() { # SIGNAL
   wait $child
 }
 
+stop_after() { # SECONDS: interrupts the program that was started last; returns its exit code.
+  child=$!
+  wait_for hears
+  sleep "$1"
+  kill -INT $child
+  wait $child
+}
+
 write_long long 801
 # A shell starts background jobs with SIGINT ignored. The program must handle the signal nevertheless.
 interrupt INT
@@ -78,11 +86,7 @@ check 'the next run writes the record' test -s lines/drawn/record.json
 rm "$PULLOFF_DATA/cases/drawn.yaml"
 
 "$program" solve --tabor 3 --scheme triangle --nodes 1501 --json >out.json 2>"$work/stderr" &
-child=$!
-wait_for hears
-sleep 0.2
-kill -INT $child
-wait $child
+stop_after 0.2
 check 'exit code 130 of an interrupted solve' test $? -eq 130
 check 'the JSON document states the interruption' grep -q '"status": "interrupted"' out.json
 
@@ -91,11 +95,7 @@ for scenes in '10 --to 11 --points 2 --amplitude 3 --wavelength 8 --tolerance 1e
   for of in folds pull-off; do
     # shellcheck disable=SC2086 # words
     "$program" follow --of $of --key tabor --from $scenes >"$work/stdout" 2>"$work/stderr" &
-    child=$!
-    wait_for hears
-    sleep 0.4
-    kill -INT $child
-    wait $child
+    stop_after 0.4
     check "exit code 130 of an interrupted series of $of from tabor $scenes" test $? -eq 130
     check 'its message' grep -qx 'pulloff: interrupted' "$work/stderr"
     check 'no result is printed' test ! -s "$work/stdout"

@@ -86,14 +86,15 @@ def test_rigid_spheres_of_any_law(law):
 @pytest.mark.parametrize("law, factor", [("morse:50", 125.05), ("morse:10", 11.18), ("mie:30,60", 54.03)])
 @pytest.mark.parametrize("tabor", [1e-7, 3e-7, 1.3e-6])
 def test_nearly_rigid_spheres_of_short_range(law, factor, tabor):
-    """The first order in mu^(3/2), whose factor a perturbation of the rigid state gives."""
+    """The first order in mu^(3/2), whose factor a perturbation of the rigid state gives to a part in a thousand."""
     found = document(f"solve --tabor {tabor} --law {law}")["pull_off"]
     assert abs(found["force"] - (2 - factor * tabor**1.5)) < found["error_estimate"] + 1e-3 * factor * tabor**1.5
 
 
 @pytest.mark.parametrize("radius", ["1e4", "1e5", "1e6"])
 def test_surfaces_cut_far_out(radius):
-    """The first mesh resolves an attraction that is much narrower than the surface."""
+    """The first mesh resolves an attraction that is much narrower than the surface. What is cut off changes the load by less
+    than the tolerance, 1e-6."""
     words = "solve --tabor 0.3 --approach-start -3 --want curve"
     whole, cut = document(words), document(f"{words} --outer-radius {radius}")
     for key in "force", "approach":

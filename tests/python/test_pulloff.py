@@ -203,7 +203,7 @@ class Scenes(unittest.TestCase):
             worker.join()
         self.assertEqual(len(found), 4)
         for force in found:
-            self.assertAlmostEqual(force, first, delta=1e-5)
+            self.assertAlmostEqual(force, first, delta=1e-5)  # of two tolerances, 1e-6 and 1.1e-6
 
     def test_a_stiffness_as_for_the_program(self):
         self.assertEqual(timeless(pulloff.solve(tabor=2, stiffness=0.3).document), timeless(program("solve", "--tabor", "2", "--stiffness", "0.3")))
