@@ -28,6 +28,13 @@ double po_panel_decay(const po_scene *scene) {
                               : po_profile_shape(&scene->profile).growth * far->exponent;
 }
 
+double po_panel_energy_decay(const po_scene *scene) {
+  const bool falls = isfinite(po_law_numbers_of(&scene->law)->exponent);
+  return falls && !po_scene_has_infinite_energy(scene)
+             ? po_panel_decay(scene) - po_profile_shape(&scene->profile).growth
+             : po_panel_decay(scene);
+}
+
 /* x^(decay - 3), and x^decay */
 static double reduced_power(double decay, double x) {
   return decay == USUAL_DECAY ? cube(x) : po_pow(x, decay - 3.0);

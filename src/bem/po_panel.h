@@ -37,6 +37,11 @@ typedef struct {
  * law without an algebraic far field leaves nothing there, and any decay serves. */
 double po_panel_decay(const po_scene *scene);
 
+/* The decay of the energy of the interaction, one exponent of the law less; of its difference from
+ * that of the initial gap, which falls as the traction does, if the energy itself is infinite
+ * (po_scene_has_infinite_energy). */
+double po_panel_energy_decay(const po_scene *scene);
+
 /* Computes the nodes of a panel (ascending in r for a finite panel, descending for an infinite
  * one), the load weights (sum of weight * p = integral of p r dr) and the lengths (sum of length *
  * p = integral of p dr). Returned: `order` values of each. */

@@ -254,6 +254,8 @@ po_status po_surface_create(const po_scene *scene, const po_mesh *mesh, double c
     status = po_panel_rule_fill(WAVE_ORDER, &wave);
   if (!status)
     status = po_panel_rule_fill(TAIL_ORDER, &tail);
+  if (!status && !po_panel_table_get()) /* which energies of the far field need */
+    status = PO_NO_MEMORY;
   if (status)
     goto done;
   s = allocate_surface(p.core + p.waves * WAVE_ORDER + (p.bounded ? 0 : TAIL_ORDER), elastic);
@@ -269,6 +271,8 @@ po_status po_surface_create(const po_scene *scene, const po_mesh *mesh, double c
   s->resolved = p.bounded || !po_scene_is_wavy(scene) ? s->n : j;
   if (!p.bounded)
     po_panel_nodes(&tail, tail_panel(&p), s->node + j, s->weight + j, s->length + j);
+  s->tail = s->n - j;
+  s->tail_begin = tail_panel(&p).begin;
   status = elastic ? fill_influence(&p, &wave, &tail, s) : PO_OK;
 done:
   free(p.edge);

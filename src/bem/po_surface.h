@@ -22,6 +22,8 @@ typedef struct {
   size_t n, capacity; /* nodes, and those for which there is memory */
   size_t resolved;    /* nodes that carry the law at a point; the others, farther out, represent
                          whole wavelengths and carry the averaged law (po_law_averaged) */
+  size_t tail;        /* nodes of the panel to infinity, the last ones; 0 on a bounded surface */
+  double tail_begin;  /* radius where that panel begins */
   double core_radius; /* radius at which the elements of the scheme end; of panels, their domain */
   double *node;       /* n, ascending up to the last panel of an unbounded surface */
   double *weight;     /* n: integral of p r dr = sum of weight * p */

@@ -91,7 +91,9 @@ static po_panel_span span_of(const po_surface *s, size_t k) {
 
 static void place_nodes(po_surface *s) {
   s->n = po_hierarchy_nodes(s->hierarchy);
-  s->resolved = s->hierarchy->unbounded && s->wavy ? s->n - PO_TABLE_ORDER : s->n;
+  s->tail = s->hierarchy->unbounded ? PO_TABLE_ORDER : 0;
+  s->tail_begin = s->core_radius;
+  s->resolved = s->wavy ? s->n - s->tail : s->n;
   for (size_t j = 0; j < s->n; j += PO_TABLE_ORDER)
     po_panel_nodes(&s->hierarchy->table->rule, span_of(s, j / PO_TABLE_ORDER), s->node + j,
                    s->weight + j, s->length + j);

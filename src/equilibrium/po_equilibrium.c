@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "po_far_energy.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_linear.h"
@@ -24,6 +25,7 @@ void po_equilibrium_remesh(po_equilibrium *e) {
   e->amplitude = po_initial_gap_amplitude(e->scene);
   e->coupling = po_scene_coupling(e->scene);
   e->energy_at_zero = po_scene_has_infinite_energy(e->scene);
+  e->energy_apart = s->tail > 0 && po_far_energy_is_apart(e->scene);
   e->n = s->n;
   e->factorized = false;
   for (size_t j = 0; j < e->n; ++j) {
@@ -120,27 +122,31 @@ double po_equilibrium_load(const po_equilibrium *e) {
   return 2.0 / e->radius * po_linear_dot(e->n, e->surface->weight, e->traction);
 }
 
-/* The energy of the interaction at a node beyond the core for the initial gap at approach 0. */
-static double energy_at_zero(const po_equilibrium *e, size_t j) {
-  if (e->surface->node[j] <= e->surface->core_radius)
-    return 0.0;
-  return j < e->surface->resolved
-             ? po_law_energy(&e->scene->law, e->initial_gap[j])
-             : po_law_energy_averaged(&e->scene->law, e->initial_gap[j], e->amplitude);
+/* The energy of the interaction at a node for a gap. */
+static double energy_of_gap(const po_equilibrium *e, size_t j, double gap) {
+  return j < e->surface->resolved ? po_law_energy(&e->scene->law, gap)
+                                  : po_law_energy_averaged(&e->scene->law, gap, e->amplitude);
+}
+
+/* The energy of the interaction at a node that is not on a panel to infinity with an integral of
+ * its own. */
+static double interaction_at(const po_equilibrium *e, size_t j, double gap) {
+  const bool relative = e->energy_at_zero && e->surface->node[j] > e->surface->core_radius;
+  return energy_of_gap(e, j, gap) - (relative ? energy_of_gap(e, j, e->initial_gap[j]) : 0.0);
 }
 
 double po_equilibrium_energy(const po_equilibrium *e, const double *state) {
-  const po_law *law = &e->scene->law;
-  const size_t resolved = e->surface->resolved;
+  const po_surface *s = e->surface;
+  const size_t near = e->n - (e->energy_apart ? s->tail : 0);
   const double approach = state[e->n];
   double sum = 0.0;
   for (size_t j = 0; j < e->n; ++j) {
-    const double interaction = j < resolved ? po_law_energy(law, state[j])
-                                            : po_law_energy_averaged(law, state[j], e->amplitude);
+    const double interaction = j < near ? interaction_at(e, j, state[j]) : 0.0;
     const double deflection = state[j] + approach - e->initial_gap[j];
-    const double zero = e->energy_at_zero ? energy_at_zero(e, j) : 0.0;
-    sum += e->surface->weight[j] * (interaction - zero + 0.5 * e->traction[j] * deflection);
+    sum += s->weight[j] * (interaction + 0.5 * e->traction[j] * deflection);
   }
+  if (near < e->n)
+    sum += po_far_energy(e->scene, s->tail_begin, s->tail, s->node + near, state + near, approach);
   return 2.0 / e->radius * sum;
 }
 

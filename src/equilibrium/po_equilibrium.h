@@ -58,6 +58,7 @@ typedef struct {
   size_t n;
   double radius, amplitude, coupling; /* amplitude: by which the law is averaged */
   bool energy_at_zero; /* the energy beyond the core is relative to that of the initial gap */
+  bool energy_apart;   /* the energy on the panel to infinity is integrated by po_far_energy */
   double *initial_gap; /* n: initial gap f, Eq 2 */
   double *traction;    /* n: p at the state last evaluated */
   double *slope;       /* n: dp/dH */
@@ -145,6 +146,9 @@ double po_equilibrium_load_rate(const po_equilibrium *e, const double *change);
  * deflection:
  *
  *   U = (2/R) sum_j weight_j [phi(H_j) + (1/2) p_j u_j],   phi' = -p,   u_j = H_j + approach - f_j
+ *
+ * On the panel to infinity phi falls more slowly than p. Its integral there is po_far_energy unless
+ * the weights of p are exact for it, too.
  *
  * If the energy of the far field is infinite, as for a cone under the law of the paper, that of the
  * initial gap at approach 0 is subtracted beyond the core.

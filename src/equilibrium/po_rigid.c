@@ -3,8 +3,10 @@
 #include <math.h>
 
 #include "po_elementary.h"
+#include "po_far_energy.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
+#include "po_panel_table.h"
 #include "po_quadrature.h"
 #include "po_scales.h"
 #include "po_watch.h"
@@ -144,6 +146,15 @@ static po_status add_inside(integral *q, double end, double *sum) {
  * approach. */
 static const double NEAR_GAP = 4.0;
 
+static double reach_of(const po_scene *scene, double approach, bool from_zero) {
+  return po_initial_gap_radius(scene, NEAR_GAP + (from_zero ? 1.0 : fmax(0.0, approach)));
+}
+
+double po_rigid_end(const po_scene *scene, double approach, bool from_zero) {
+  const double reach = reach_of(scene, approach, from_zero);
+  return po_averaging_radius(scene, po_averaging_phase(scene, reach));
+}
+
 static po_status integrate(integral *q, double *sum) {
   const po_scene *scene = q->scene;
   po_status failed = po_watch_look();
@@ -151,12 +162,9 @@ static po_status integrate(integral *q, double *sum) {
     return failed;
   const bool bounded = isfinite(scene->outer_radius);
   q->short_waves = !bounded && has_short_waves(q);
-  const double reach =
-      po_initial_gap_radius(scene, NEAR_GAP + (q->from_zero ? 1.0 : fmax(0.0, q->approach)));
-  const double end = bounded ? scene->outer_radius
-                     : q->short_waves
-                         ? reach
-                         : po_averaging_radius(scene, po_averaging_phase(scene, reach));
+  const double end = bounded          ? scene->outer_radius
+                     : q->short_waves ? reach_of(scene, q->approach, q->from_zero)
+                                      : po_rigid_end(scene, q->approach, q->from_zero);
   const double pieces =
       po_scene_is_wavy(scene) && !q->short_waves ? 2.0 * end / po_initial_gap_detail(scene) : 0.0;
   if (!(pieces <= MOST_PIECES))
@@ -166,8 +174,13 @@ static po_status integrate(integral *q, double *sum) {
                    pieces, end, MOST_PIECES, bounded ? ", or none" : "");
   *sum = 0.0;
   failed = add_inside(q, end, sum);
-  if (!bounded && !failed) {
-    q->begin = end;
+  q->begin = end;
+  if (!bounded && !failed && q->of == ENERGY && po_far_energy_is_apart(scene)) {
+    if (!po_panel_table_get())
+      return PO_NO_MEMORY;
+    const double gap = po_initial_gap_mean(scene, end) - q->approach;
+    *sum += po_far_energy(scene, end, 1, &end, &gap, q->approach); /* no deflection */
+  } else if (!bounded && !failed) {
     failed = add_piece(beyond, q, 0.0, 1.0, sum);
   }
   return failed ? po_fail(failed, "the quadrature of the rigid load failed at approach %g",

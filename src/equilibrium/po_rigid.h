@@ -25,8 +25,12 @@ po_status po_rigid_load(const po_scene *scene, double approach, double *load, do
 
 /* The energy of the interaction, U/(pi w R eps), zero when the bodies are infinitely far apart. Its
  * derivative with respect to the approach is the load. Accuracy: 1e-10 relative to max(1, |energy|)
- * (tests/unit/test_energy.c). */
+ * (tests/unit/test_energy.c), and the average over the waves beyond po_rigid_end. */
 po_status po_rigid_energy(const po_scene *scene, double approach, double *energy);
+
+/* The radius, eps, from which on the waves of an unbounded scene are averaged at an approach.
+ * Given: whether energies are relative to that at approach 0 (po_scene_has_infinite_energy). */
+double po_rigid_end(const po_scene *scene, double approach, bool from_zero);
 
 /* Approach, eps, at which the repulsion of the central crest alone equals `load`, pi w R: the crest
  * has the radius R/(1 + 4 pi^2 alpha) of Eq 18, and its load is the repulsive term of Eq 23. */

@@ -4,6 +4,7 @@
 
 #include "po_contact.h"
 #include "po_elementary.h"
+#include "po_far_field.h"
 #include "po_initial_gap.h"
 #include "po_linear.h"
 #include "po_observe_parts.h"
@@ -191,88 +192,19 @@ static double of_panels(const po_scene *scene, const po_solution *p) {
   return OF_CHANGE * 2.0 / scene->radius * (change + lacking);
 }
 
-/* Bounds of the errors of the load and of the approach, pi w R and eps, by the far field. */
-typedef struct {
-  double load, approach;
-} far_field;
-
-/* The error of the far field of an unbounded surface: of the average over the waves beyond the
- * domain, and of the polynomial of the panel to infinity. A finer mesh does not show it. See
- * doc/method.md, "Errors". */
-
-/* Factor of the leading term of the error of the average. In six scenes the term was from 0.93 to
- * 1.02 of the error. */
-static const double LEADING = 2.0;
-
-/* Part of the load of the last Legendre coefficients that is taken for the error of the polynomial.
- * With m = 2.2 the error was 0.01 of that load, with larger m less. */
-static const double OF_LAST = 0.1;
-
-/* The difference of the tractions below the crests and the troughs of a wave, times the radius: the
- * oscillating part of the integrand of Eq 17. Given: H of the mean surface. */
-static double oscillation(const po_scene *scene, po_wave wave, double r, double gap) {
-  const double crest = po_law_at(&scene->law, gap - wave.amplitude).traction;
-  const double trough = po_law_at(&scene->law, gap + wave.amplitude).traction;
-  return 0.5 * fabs(crest - trough) * r;
-}
-
-/* The error of the average over the waves, by parts: lambda/2 pi times the oscillating part of the
- * integrand at the end of the domain, with the sine of its phase, which is 0 for the main wave
- * (po_averaging_phase); and (lambda/2 pi)^2 times its slope. */
-static double error_of_average(const po_scene *scene, const po_solution *p) {
-  /* the nodes of the panel to infinity follow those of the domain, the nearest last */
-  const double near = p->node[p->n - 1], far = p->node[p->n - 2];
-  double error = 0.0;
-  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
-    const po_wave wave = po_scene_wave(scene, k);
-    const double here = oscillation(scene, wave, near, p->state[p->n - 1]);
-    const double there = oscillation(scene, wave, far, p->state[p->n - 2]);
-    const double decay = po_log(here / there) / po_log(far / near),
-                 per_2pi = wave.length / (2.0 * M_PI);
-    const double begin = here * po_pow(near / p->domain, decay);
-    if (here > 0.0 && there > 0.0)
-      error += begin * per_2pi *
-               (fabs(po_sinpi(2.0 * (p->domain / wave.length))) + per_2pi * decay / p->domain);
-  }
-  return LEADING * 2.0 / scene->radius * error;
-}
-
-/* The error of the polynomial of the panel to infinity, from its last Legendre coefficients. */
-static double error_of_polynomial(const po_scene *scene, const po_solution *p) {
-  const po_panel_table *table = po_panel_table_get();
-  const double decay = po_panel_decay(scene);
-  double last = 0.0;
-  for (int k = PO_TABLE_ORDER - 3; k < PO_TABLE_ORDER; ++k) {
-    double sum = 0.0;
-    for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
-      const double gap = p->state[p->n - PO_TABLE_ORDER + j];
-      const double traction =
-          po_law_averaged(&scene->law, gap, po_initial_gap_amplitude(scene)).traction;
-      sum += table->legendre.coefficient[k][j] * traction / po_pow(table->rule.node[j], decay);
-    }
-    last = fmax(last, fabs(sum));
-  }
-  return OF_LAST * 2.0 / scene->radius * p->domain * p->domain * last / (decay - 2.0);
-}
-
-/* Returned: 0 on a cut surface. Given: a solution on panels. */
-static far_field far_field_error(const po_scene *scene, const po_solution *p) {
-  if (isfinite(scene->outer_radius))
-    return (far_field){0.0, 0.0};
-  const double load = error_of_average(scene, p) + error_of_polynomial(scene, p);
-  /* as much as a ring of that load at the end of the domain deflects the axis */
-  return (far_field){load, po_scene_coupling(scene) * scene->radius * load / p->domain};
-}
-
 double po_energy_error(const po_request *request, const po_branch_point *p) {
   const po_scene *scene = &request->scene;
   const double precision = po_observe_precision(request->mesh.tolerance);
   if (!p->gap)
-    return RIGID * fmax(1.0, fabs(p->energy));
+    return RIGID * fmax(1.0, fabs(p->energy)) + po_far_field_rigid_energy(scene, p->approach);
   if (!p->solution)
     return NAN;
-  return of_panels(scene, p->solution) + precision * (1.0 + fabs(p->load)) +
-         far_field_error(scene, p->solution).load * (1.0 + fabs(p->approach));
+  const po_solution *s = p->solution;
+  const po_far_field far = po_far_field_of(scene, s);
+  const double deflection =
+      isinf(scene->outer_radius) ? s->deflection[s->n - 1] + p->approach : 0.0;
+  return of_panels(scene, s) + precision * (1.0 + fabs(p->load)) + far.energy +
+         0.5 * far.load * fabs(deflection);
 }
 
 static po_contact_edge edge_on_panels(const po_request *request, const po_branch_point *p) {
@@ -280,7 +212,7 @@ static po_contact_edge edge_on_panels(const po_request *request, const po_branch
   const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, p->finer);
   /* an error of the approach is an error of the gap */
   const po_contact_doubt doubt = {&finer, po_observe_precision(request->mesh.tolerance),
-                                  far_field_error(&request->scene, p->best).approach};
+                                  po_far_field_of(&request->scene, p->best).approach};
   return po_contact_estimate(&best, &doubt);
 }
 
@@ -336,8 +268,9 @@ static void estimate_energy(const po_request *request, const po_branch_point *p,
 
 /* Adds the errors that the solution on the finer mesh does not show. */
 static void add_far_field(const po_request *request, const po_branch_point *p, po_estimate *e) {
-  const far_field far = far_field_error(&request->scene, p->best);
-  const double far_energy = far.load * (1.0 + fabs(p->approach));
+  const po_far_field far = po_far_field_of(&request->scene, p->best);
+  /* the second is that of the energy of the deflection, too */
+  const double far_energy = fmax(far.energy, far.load * (1.0 + fabs(p->approach)));
   e->point.contact_radius_error = fmax(e->point.contact_radius_error, edge_error_of_place(p));
   e->point.approach_error += far.approach;
   e->point.load_error += far.load;
