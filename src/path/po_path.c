@@ -51,12 +51,12 @@ po_path_state po_path_at(const po_path *path, po_path_place place) {
 po_path_doubt po_path_doubt_at(const po_path *path, po_path_place place) {
   const po_curve_point *a = &path->point[place.index], *b = a + 1;
   if (place.fraction == 0.0)
-    return (po_path_doubt){0.0, a->energy_error};
+    return (po_path_doubt){.of_points = a->energy_error};
   const double energy = po_path_at(path, place).energy;
   const double before = a->energy + po_path_work(path, place.index, 0.0, place.fraction);
   const double after = b->energy - po_path_work(path, place.index, place.fraction, 1.0);
-  return (po_path_doubt){fmax(fabs(energy - before), fabs(energy - after)),
-                         fmax(a->energy_error, b->energy_error)};
+  return (po_path_doubt){.interpolated = fmax(fabs(energy - before), fabs(energy - after)),
+                         .of_points = fmax(a->energy_error, b->energy_error)};
 }
 
 typedef struct {
@@ -137,6 +137,90 @@ static po_curve_point point_at(const po_path *path, po_path_place place) {
       .unstable_modes = a->unstable_modes};
 }
 
+/* The place of a position on the curve. */
+static po_path_place place_of(const po_path *path, double position) {
+  size_t k = 0;
+  while (k + 2 < path->count && path->point[k + 1].position <= position)
+    ++k;
+  const po_curve_point *a = &path->point[k];
+  return (po_path_place){k, (position - a->position) / (a[1].position - a->position)};
+}
+
+po_path_state po_path_moved(const po_path *path, po_control control, po_path_state state,
+                            double by) {
+  const po_path_place place = place_of(path, state.position);
+  const po_curve_point here = point_at(path, place), *a = &path->point[place.index];
+  const double way = by / po_held(control, here.approach_rate, here.load_rate);
+  if (!(fabs(way) < a[1].position - a->position)) /* the held quantity turns here */
+    return state;
+  state.position += way;
+  state.approach += way * here.approach_rate;
+  state.load += way * here.load_rate;
+  state.energy += way * here.approach_rate * here.load;
+  return state;
+}
+
+/* The third derivatives of approach and load between two points of the curve. */
+static po_path_error third_derivatives(const po_path *path, size_t from, size_t to) {
+  const po_curve_point *a = &path->point[from], *b = &path->point[to];
+  const double h = b->position - a->position, of = 6.0 / (h * h * h);
+  return (po_path_error){
+      of * (h * (a->approach_rate + b->approach_rate) - 2.0 * (b->approach - a->approach)),
+      of * (h * (a->load_rate + b->load_rate) - 2.0 * (b->load - a->load))};
+}
+
+/* A segment beside another is not taken alone if it is shorter than this part of it: its third
+ * derivative has the rounding of the points over its length cubed. */
+static const double LEAST_NEIGHBOUR = 0.5;
+
+/* Raises the fourth derivatives by those between a segment and what is beside it, from point `from`
+ * to point `to`. */
+static void compare_derivatives(const po_path *path, size_t index, size_t from, size_t to,
+                                po_path_error *fourth) {
+  const po_curve_point *p = path->point;
+  const po_path_error own = third_derivatives(path, index, index + 1),
+                      other = third_derivatives(path, from, to);
+  const double distance =
+      0.5 * (p[index + 1].position - p[index].position + p[to].position - p[from].position);
+  fourth->approach = fmax(fourth->approach, fabs(other.approach - own.approach) / distance);
+  fourth->load = fmax(fourth->load, fabs(other.load - own.load) / distance);
+}
+
+/* Factor of the estimated distance of the curve from a cubic. */
+static const double OF_MISS = 3.0;
+
+/* A bound of the error of the held quantity by the cubics at a place. The error of a cubic is the
+ * fourth derivative over 24, times the squares of the distances from both ends; the derivative is
+ * the change of the third one from the segments beside it. Where the curve changes manifold from
+ * one segment to the next that is too much, and the distance for which the points are chosen bounds
+ * it.
+ */
+static double held_miss(const po_path *path, po_control control, po_path_place place) {
+  const po_curve_point *p = path->point;
+  const size_t k = place.index;
+  const double h = p[k + 1].position - p[k].position, least = LEAST_NEIGHBOUR * h;
+  po_path_error fourth = {NAN, NAN};
+  size_t before = k, after = k + 1;
+  while (before > 0 && p[k].position - p[before].position < least)
+    --before;
+  while (after + 1 < path->count && p[after].position - p[k + 1].position < least)
+    ++after;
+  if (before < k)
+    compare_derivatives(path, k, before, k, &fourth);
+  if (after > k + 1)
+    compare_derivatives(path, k, k + 1, after, &fourth);
+  const double inside = h * h * place.fraction * (1.0 - place.fraction);
+  const double part = OF_MISS * inside * inside / 24.0;
+  return po_held(control, fmin(path->miss, part * fourth.approach), /* ignores NAN */
+                 fmin(path->miss, part * fourth.load));
+}
+
+static po_curve_point extremum_at(const po_path *path, po_control control, po_path_place place) {
+  po_curve_point point = point_at(path, place);
+  point.held_miss = held_miss(path, control, place);
+  return point;
+}
+
 po_status po_path_add_extrema(po_path *path, po_control control, po_curve_point **point) {
   size_t count = 0;
   *point = NULL;
@@ -153,9 +237,10 @@ po_status po_path_add_extrema(po_path *path, po_control control, po_curve_point 
     const cubic held = held_cubic(path, k, control);
     const size_t extrema = extrema_of(&held, fraction);
     for (size_t i = 0; i < extrema; ++i)
-      (*point)[count++] = point_at(path, (po_path_place){k, fraction[i]});
+      (*point)[count++] = extremum_at(path, control, (po_path_place){k, fraction[i]});
   }
-  *path = (po_path){*point, count};
+  path->point = *point;
+  path->count = count;
   return PO_OK;
 }
 
@@ -209,11 +294,12 @@ static double energy_lost(po_control control, const po_path_state *before,
 
 po_loss po_loss_of_jump(po_control control, const po_path_state *before, const po_path_state *after,
                         po_path_doubt doubt) {
-  const double moved =
+  const double change =
       control == PO_LOAD_CONTROL ? before->approach - after->approach : before->load - after->load;
+  const double moved = isfinite(change) ? fabs(change) : 0.0; /* a load of separation is exact */
   return (po_loss){.energy = energy_lost(control, before, after),
-                   .moved = isfinite(moved) ? fabs(moved)
-                                            : 0.0, /* separation is at a load that is exact */
+                   .moved = moved,
+                   .of_held = moved * doubt.held,
                    .size = 1.0 + fabs(before->load) + fabs(after->load),
                    .doubt = doubt,
                    .jumps = 1};
@@ -221,21 +307,23 @@ po_loss po_loss_of_jump(po_control control, const po_path_state *before, const p
 
 po_path_doubt po_doubt_of_jump(const po_path *path, po_control control, size_t from,
                                const po_path_place *to) {
-  po_path_doubt doubt = to ? po_path_doubt_at(path, *to) : (po_path_doubt){0.0, 0.0};
+  po_path_doubt doubt = to ? po_path_doubt_at(path, *to) : (po_path_doubt){0};
   const po_curve_point *first = &path->point[0];
   if (!po_is_spring(control))
     return doubt;
   doubt.of_points += path->point[from].energy_error;
+  doubt.held = path->point[from].held_miss;
   if (!to)
     doubt.of_points += fabs(first->energy) + 0.5 * first->load * first->load / control;
   return doubt;
 }
 
 po_loss po_loss_sum(po_loss a, po_loss b) {
-  return (po_loss){
-      a.energy + b.energy,
-      a.moved + b.moved,
-      a.size + b.size,
-      {a.doubt.interpolated + b.doubt.interpolated, a.doubt.of_points + b.doubt.of_points},
-      a.jumps + b.jumps};
+  return (po_loss){a.energy + b.energy,
+                   a.moved + b.moved,
+                   a.size + b.size,
+                   a.of_held + b.of_held,
+                   {.interpolated = a.doubt.interpolated + b.doubt.interpolated,
+                    .of_points = a.doubt.of_points + b.doubt.of_points},
+                   a.jumps + b.jumps};
 }

@@ -18,6 +18,8 @@
 typedef struct {
   const po_curve_point *point;
   size_t count;
+  double miss; /* bound of its distance from the cubics between its points, in approach and load; 0:
+                  it is not known, and the estimates of that distance are not used */
 } po_path;
 
 /* A place on a curve: the fraction (0 to 1) of the segment from point `index` to the next point. */
@@ -39,6 +41,12 @@ po_path_state po_path_at(const po_path *path, po_path_place place);
 /* Returned: the doubt at a place. */
 po_path_doubt po_path_doubt_at(const po_path *path, po_path_place place);
 
+/* Returned: a state of the curve, moved along it until the held quantity has changed by `by`, which
+ * is so little that approach and load change in proportion; unchanged where the held quantity
+ * turns. */
+po_path_state po_path_moved(const po_path *path, po_control control, po_path_state state,
+                            double by);
+
 /* Finds the place on the segment from point `index` at which the held quantity has a value between
  * those of the two points. */
 po_path_place po_path_where(const po_path *path, size_t index, po_control control, double value);
@@ -51,8 +59,9 @@ double po_path_work(const po_path *path, size_t index, double from, double to);
 double po_stable_controlled(const po_path *path, po_control control, size_t point);
 
 /* Gives a curve further points where the position of the base has an extremum between two points:
- * a spring jumps there. Returned: all points, to be freed with free(); NULL: there is no spring,
- * and the curve stays. Status: PO_NO_MEMORY. */
+ * a spring jumps there. Their held_miss is a bound of the error of that position by the cubics.
+ * Returned: all points, to be freed with free(); NULL: there is no spring, and the curve stays.
+ * Status: PO_NO_MEMORY. */
 po_status po_path_add_extrema(po_path *path, po_control control, po_curve_point **point);
 
 /* Returned: whether the segment from a point to the next is stable: there are no unstable modes at

@@ -27,6 +27,7 @@ typedef struct {
    * the error by interpolation. */
   double interpolated;
   double of_points; /* the greater error of the energies of both points; NAN: unknown */
+  double held;      /* of a jump: po_curve_point.held_miss where it begins */
 } po_path_doubt;
 
 /* How a body is held: the stiffness k of the spring, pi w R/eps, by whose other end, the base, it
@@ -99,6 +100,7 @@ typedef struct {
   double moved;        /* derivative of energy by the held quantity at which the jumps begin:
                           |load before - load after|, at given load |approach before - approach after| */
   double size;         /* 1 + |load before| + |load after| */
+  double of_held;      /* moved times the error of that quantity by interpolation */
   po_path_doubt doubt; /* where the jumps end */
   size_t jumps;
 } po_loss;

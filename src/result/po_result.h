@@ -52,8 +52,10 @@ typedef struct {
   int unstable_modes;              /* 0: stable at given approach */
   bool has_base;                   /* whether there is a spring */
   int base_modes;                  /* the same at a given base of the spring */
-  bool minimum; /* whether the load has a local minimum here; of a trace and of the JKR curve
-                   only, not in documents */
+  double held_miss; /* where a spring jumps between two points of the branch: bound of the error of
+                       the position of the base by interpolation; otherwise 0 */
+  bool minimum;     /* whether the load has a local minimum here; of a trace and of the JKR curve
+                       only, not in documents */
 } po_curve_point;
 
 typedef struct {

@@ -197,3 +197,29 @@ def test_units():
 @pytest.mark.parametrize("value", ["0", "-1", "inf", "nan", "1e400", "soft"])
 def test_refused(value):
     expect(2, f"*--stiffness is {value}: expected a finite number > 0", f"solve --tabor 1 --stiffness {value}")
+
+
+@pytest.mark.parametrize("scene", [
+    "--profile truncated:11.2791,21.2786 --coupling 0.0464727 --law mie:29.7302,40.8253 --stiffness 0.010891",
+    "--profile truncated:7.2522,90.9725 --coupling 0.00363305 --outer-radius 127.063 --stiffness 6.66004e-05",
+    "--law morse:1.90529 --profile sphere --coupling 0.0238629 --radius 44.5629 --stiffness 0.000211784",
+    "--law morse:4.21539 --profile power:7.50255e-05,4.018 --coupling 0.000324029 --outer-radius 58.9252 --stiffness 0.00813604"])
+def test_a_jump_from_far_away_loses_what_is_stated(scene):
+    """A soft spring jumps into contact on a segment along which the attraction grows manifold. The error of the place
+    where it jumps was taken as that for which the points are chosen: 134.1478 was stated with 0.0022, and is 134.1405."""
+    loose, tight = (document(f"solve {scene} --want hysteresis --tolerance {t}")["hysteresis"]["spring"] for t in ("1e-4", "1e-8"))
+    assert len(loose["jumps"]) == len(tight["jumps"])
+    for ours, theirs in zip(loose["jumps"], tight["jumps"]):
+        off = abs(ours["energy_lost"] - theirs["energy_lost"])
+        assert off <= ours["energy_lost_error_estimate"] + theirs["energy_lost_error_estimate"]
+        assert ours["energy_lost_error_estimate"] < 0.02 * ours["energy_lost"]
+
+
+def test_the_error_of_a_loss_is_not_that_of_the_farthest_approach():
+    """A cantilever jumps out of contact to 970 epsilon. The bound of the far field grew with that distance, though a
+    bound of the energy itself is 1e-8 of it: 4.2 zJ were stated where the loss is off by less than 0.02 zJ."""
+    spring = document("solve --from-physical --radius-m 5e-9 --modulus-pa 1e11 --work-j-per-m2 0.05 --distance-m 1.6e-10"
+                      " --stiffness-n-per-m 0.01 --want hysteresis")["hysteresis"]["spring"]
+    last = spring["jumps"][-1]
+    assert last["after"]["approach"] < -900.0
+    assert last["energy_lost_error_estimate"] < 1e-6 * last["energy_lost"]

@@ -4,6 +4,7 @@ in jumps, and the work. Random scenes are solved with a loose and a tight tolera
 
     energies.py --count 60 --seed 1           solve and compare, on all cores
     energies.py --general --count 60          scenes of any law, profile, waves and coupling
+    energies.py --springs --count 60          such scenes, each pressed through a spring of any stiffness
 
 Prints how often the stated errors hold and how much too large they are, and each violation with the commands that
 repeat it. Solutions are kept, so that an interrupted campaign can be continued. Exit code: 0 no violation, 1 a
@@ -23,12 +24,15 @@ ORDER = ("fold energy", "extremum energy", "curve energy", "loop energy", "lost 
 STARTS = 8           # parts of a segment in which the nearest place is looked for
 CANDIDATES = 3       # segments of a curve on which it is looked for
 MISS = 1e-8          # least distance of a curve from its cubics that the program asks for
+STIFFNESS = (1e-6, 1e4)          # of the springs, in units of pi w R/epsilon
+TESTS = (*(control.name for control in steps.CONTROLS), "spring")
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 
 
 def arguments(args):
     parser = options.parser_of(__doc__, "energies.jsonl", 60, (1e-4, 1e-7))
     parser.add_argument("--general", action="store_true", help="scenes of any law, profile, waves and coupling")
+    parser.add_argument("--springs", action="store_true", help="such scenes through a spring of any stiffness")
     options.add_ranges(parser, {"tabor": (0.05, 5.0), "radius": (30.0, 200.0), "wavelength": (1.0, 6.0),
                                 "amplitude": (0.003, 0.5), "outer": (0.25, 1.0)},
                        {"smooth": 0.1, "cut": 0.5, "at-radius": 0.5, "any-law": 0.4})
@@ -113,17 +117,21 @@ class Task:
     """A scene, and the two solutions that are compared."""
 
     def __init__(self, name, scene):
-        self.name, self.scene = name, dict(scene, want="hysteresis,curve")
-        self.solutions, self.findings = [], []
+        # through a spring the traces begin where they need to, each at its own position
+        self.name, self.scene = name, dict(scene, want="hysteresis" if "stiffness" in scene else "hysteresis,curve")
+        self.solutions, self.findings, self.negative = [], [], []
 
     def solve(self, journal, wanted):
         self.solutions = [journal.solution(self.scene, tolerance) for tolerance in (wanted.loose, wanted.tight)]
         if all(one["status"] == "ok" and one.get("hysteresis") for one in self.solutions):
             loose, tight = self.solutions
             self.add_special_points(loose, tight)
-            self.add_curve(loose, tight)
-            for control in steps.CONTROLS:
-                self.add_loop(control.name, *(one["hysteresis"][control.name] for one in self.solutions))
+            if tight.get("curve"):
+                self.add_curve(loose, tight)
+            for name in TESTS:
+                loops = [one["hysteresis"].get(name) for one in self.solutions]
+                if all(loops):
+                    self.add_loop(name, *loops)
 
     def add(self, quantity, where, stated, difference, own):
         if stated > 0.0:
@@ -148,6 +156,10 @@ class Task:
                          compare.value(point, "energy_error_estimate"), off, own + miss)
 
     def add_loop(self, name, ours, theirs):
+        for jump in ours["jumps"]:
+            if compare.value(jump, "energy_lost") < -compare.value(jump, "energy_lost_error_estimate"):
+                self.negative.append(f"{jump['energy_lost']:.3g} lost in jump {jump['label']} ({name}), a gain beyond the "
+                                     f"stated {jump['energy_lost_error_estimate']:.3g}")
         if len(ours["jumps"]) != len(theirs["jumps"]) or not ours["jumps"]:
             return
         pairs = [("lost in a loop", "energy_lost", ours, theirs), ("work", "work", ours, theirs)]
@@ -157,6 +169,8 @@ class Task:
             if None not in (one[key], other[key]):
                 self.add(quantity, f" ({name})", compare.value(one, error), abs(one[key] - other[key]),
                          compare.value(other, error))
+        if not self.solutions[1].get("curve"):
+            return
         states = [jump[end] for jump in ours["jumps"] for end in ("before", "after")] + [ours["preload"]]
         off, miss = max(energy_off(state, self.solutions[1]["curve"]) for state in states if state["approach"] is not None)
         self.add("loop energy", f" ({name})", compare.value(ours, "energy_error_estimate"), off,
@@ -168,12 +182,19 @@ class Task:
 
     @property
     def violations(self):
-        return [f"{f.quantity}: stated {f.stated:.3g}, off by {f.difference:.3g}{f.where}"
-                for f in self.findings if f.verdict == "violated"]
+        return self.negative + [f"{f.quantity}: stated {f.stated:.3g}, off by {f.difference:.3g}{f.where}"
+                                for f in self.findings if f.verdict == "violated"]
+
+
+def through_a_spring(scene, seed, k):
+    """A general scene with a spring."""
+    return dict(scene, stiffness=draw.between(STIFFNESS, draw.uniform(seed, k, "stiffness")))
 
 
 def tasks_of(wanted):
     def drawn(k):
+        if wanted.springs:
+            return through_a_spring(draw.general_scene(wanted.seed, k), wanted.seed, k)
         return draw.general_scene(wanted.seed, k) if wanted.general else draw.scene(wanted.seed, k, vars(wanted))
     return [Task(f"scene {k}", drawn(k))
             for k in (wanted.scenes if wanted.scenes is not None else range(wanted.count))]
