@@ -230,7 +230,10 @@ static void read_jump(const po_reader *reader, const po_path *path, po_control c
     *after = po_path_moved(path, control, *after, now - held);
   else if (mark)
     *after = po_stable_apart(control, now);
-  const po_loss loss = po_loss_of_jump(control, before, after, jump->doubt);
+  po_loss loss = po_loss_of_jump(control, before, after, jump->doubt);
+  const bool apart = !isfinite(before->position) || !isfinite(after->position);
+  if (apart && po_scene_has_infinite_energy(&request->scene))
+    loss.energy = NAN; /* energies are not relative to the bodies apart */
   const beginning from = beginning_of(reader, jump, mark);
   jump->energy_lost_error = loss_error(request, &from, control, &loss);
   jump->energy_lost = at_least_zero(loss.energy, jump->energy_lost_error);

@@ -16,7 +16,7 @@
   {.key = "spring", .type = PO_ROW_PART, .offset = offsetof(S, of[PO_THROUGH_SPRING]),             \
    .present = AT(bool, has_spring), .block = &of_spring, .omitted = true,                          \
    TEXTS("", "absent without a stiffness", through_spring)},
-#define UNBOUNDED "if the bodies separate under tension, which loses without bound"
+#define UNBOUNDED "if the bodies separate under tension, or come together from apart with a far field of infinite energy, which loses without bound"
 
 /* -- States of the branch -- */
 #define S po_path_state
