@@ -169,9 +169,10 @@ static po_status integrate(integral *q, double *sum) {
       po_scene_is_wavy(scene) && !q->short_waves ? 2.0 * end / po_initial_gap_detail(scene) : 0.0;
   if (!(pieces <= MOST_PIECES))
     return po_fail(PO_OUT_OF_NODES,
-                   "the rigid load would be the sum of %.3g half waves up to radius %g, more than "
+                   "the rigid %s would be the sum of %.3g half waves up to radius %g, more than "
                    "%g; expected a longer wavelength or a smaller outer radius%s",
-                   pieces, end, MOST_PIECES, bounded ? ", or none" : "");
+                   q->of == ENERGY ? "energy" : "load", pieces, end, MOST_PIECES,
+                   bounded ? ", or none" : "");
   *sum = 0.0;
   failed = add_inside(q, end, sum);
   q->begin = end;
@@ -183,8 +184,8 @@ static po_status integrate(integral *q, double *sum) {
   } else if (!bounded && !failed) {
     failed = add_piece(beyond, q, 0.0, 1.0, sum);
   }
-  return failed ? po_fail(failed, "the quadrature of the rigid load failed at approach %g",
-                          q->approach)
+  return failed ? po_fail(failed, "the quadrature of the rigid %s failed at approach %g",
+                          q->of == ENERGY ? "energy" : "load", q->approach)
                 : PO_OK;
 }
 
