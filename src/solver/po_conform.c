@@ -6,36 +6,33 @@
 #include <string.h>
 
 #include "po_input.h"
+#include "po_known_scenes.h"
 #include "po_process.h"
 #include "po_recognise.h"
-#include "po_reference.h"
 #include "po_watch.h"
-
-/* The pull-off of the smooth sphere on the unbounded half-space. */
-static const char TABLE[] = "reference/feng_pull_off.csv";
 
 /* Relative tolerance on the numbers of these scenes. It is wide, because only wrong signs, factors
  * and units are looked for; the cases measure the accuracy. The smallest distance of two factors
  * that are recognised, 4/3 and 3/2, is 12 %. */
 static const double CLOSE = 0.05;
 
-enum { MOST_SCENES = 4 };
-
 /* The numbers of a scene that are compared, and what is expected of them. */
-enum { FORCE, APPROACH, CONTACT_RADIUS, NUMBERS };
+enum {
+  FORCE = PO_KNOWN_FORCE,
+  APPROACH = PO_KNOWN_APPROACH,
+  CONTACT_RADIUS = PO_KNOWN_CONTACT_RADIUS,
+  NUMBERS = PO_KNOWN_NUMBERS
+};
 static const struct {
-  po_quantity quantity;
   const char *what, *unit;
   double small; /* eps; less is not compared, because a coarse mesh has a larger error */
-} COMPARED[NUMBERS] = {{PO_PULL_OFF_FORCE, "force at pull-off", "the magnitude, > 0, in pi w R", 0},
-                       {PO_PULL_OFF_APPROACH, "approach at pull-off",
+} COMPARED[NUMBERS] = {{"force at pull-off", "the magnitude, > 0, in pi w R", 0},
+                       {"approach at pull-off",
                         "in epsilon, > 0 when pressed together, 0 at the gap of equilibrium", 0.2},
-                       {PO_CONTACT_RADIUS, "contact radius at pull-off", "in epsilon", 10}};
+                       {"contact radius at pull-off", "in epsilon", 10}};
 
 typedef struct {
-  const char *limit; /* the theory near which the scene is */
   po_question question;
-  double expected[NUMBERS];
   po_answer answer; /* the first one, or the last without an answer */
   unsigned answers; /* with status ok */
   bool final;
@@ -46,8 +43,8 @@ typedef struct {
   const char *folder;
   const volatile sig_atomic_t *stop;
   size_t *wrong; /* number of findings */
-  po_reference table;
-  conform_scene scenes[MOST_SCENES];
+  po_known_scenes known;
+  conform_scene scenes[PO_MOST_KNOWN];
   size_t count;
   po_ask_log log;               /* of the present test */
   volatile sig_atomic_t enough; /* ends a process after its first answer */
@@ -67,69 +64,20 @@ tell(conforming *c, const char *verdict, const char *format, ...) {
   fflush(stdout);
 }
 
-/* Expected numbers of a smooth scene. Returned: false if the table does not contain it. */
-static bool expect(const conforming *c, conform_scene *scene) {
-  po_request unbounded = scene->question.request;
-  unbounded.scene.outer_radius = INFINITY;
-  for (size_t i = 0; i < NUMBERS; ++i) {
-    po_reference_number number;
-    if (po_reference_find(&c->table, COMPARED[i].quantity, &unbounded, &number))
-      return false;
-    scene->expected[i] = number.value;
+/* The theory near which a smooth sphere is. */
+static const char *limit_of(double tabor) {
+  return tabor < 0.5 ? "Bradley" : tabor > 1.2 ? "JKR" : "between";
+}
+
+static void ask_known_scenes(conforming *c) {
+  for (size_t i = 0; i < c->known.count; ++i) {
+    po_question *question = &c->scenes[i].question;
+    question->request = c->known.scenes[i].request;
+    snprintf(question->id, sizeof question->id, "%zu", i);
+    question->want = c->solver->quantities;
+    question->repeats = 1;
+    question->limit = c->solver->time_limit;
   }
-  return true;
-}
-
-/* Adds a scene near a limit if the solver accepts it: on the unbounded surface, else on one that is
- * cut at the radius of the sphere, where the force differs by less than a thousandth. */
-static bool add_scene(conforming *c, const char *limit, double tabor, double radius) {
-  const double outer[] = {INFINITY, radius};
-  for (size_t i = 0; i < 2 && c->count < MOST_SCENES; ++i) {
-    char why[PO_SOLVER_WHY];
-    conform_scene scene = {.limit = limit, .question = {.request = po_input_default()}};
-    scene.question.request.scene.tabor = tabor;
-    scene.question.request.scene.radius = radius;
-    scene.question.request.scene.outer_radius = outer[i];
-    if (!po_solver_accepts(c->solver, &scene.question.request, why) || !expect(c, &scene))
-      continue;
-    snprintf(scene.question.id, sizeof scene.question.id, "%zu", c->count);
-    scene.question.want = c->solver->quantities;
-    scene.question.repeats = 1;
-    scene.question.limit = c->solver->time_limit;
-    c->scenes[c->count++] = scene;
-    return true;
-  }
-  return false;
-}
-
-/* Adds the first scene that the solver accepts, if there is one. */
-static bool add_first(conforming *c, const char *limit, const double *tabor, size_t count,
-                      double radius) {
-  size_t i = 0;
-  while (i < count && !add_scene(c, limit, tabor[i], radius))
-    ++i;
-  return i < count;
-}
-
-/* Chooses up to four scenes: the most rigid one, the softest one, and one between them, with a
- * second radius. */
-static void choose_scenes(conforming *c) {
-  static const double RIGID[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1},
-                      SOFT[] = {3, 2.5, 2, 1.5, 1.25, 1},
-                      MIDDLE[] = {0.8, 1, 1.25, 0.6, 1.5, 0.5, 0.3, 2};
-  static const double RADIUS[] = {100, 50, 200, 30, 500, 20, 10, 1000};
-  enum { RADII = sizeof RADIUS / sizeof *RADIUS };
-  size_t r = 0;
-  while (r < RADII && !add_first(c, "Bradley", RIGID, sizeof RIGID / sizeof *RIGID, RADIUS[r]))
-    ++r;
-  if (r == RADII)
-    return;
-  add_first(c, "JKR", SOFT, sizeof SOFT / sizeof *SOFT, RADIUS[r]);
-  if (!add_first(c, "between", MIDDLE, sizeof MIDDLE / sizeof *MIDDLE, RADIUS[r]))
-    return;
-  const double tabor = c->scenes[c->count - 1].question.request.scene.tabor;
-  while (++r < RADII && !add_scene(c, "between", tabor, RADIUS[r]))
-    continue;
 }
 
 /* Takes a point as the pull-off if none has a greater tension. */
@@ -186,7 +134,7 @@ static void forget_answers(conforming *c) {
 
 static po_status ask(conforming *c, size_t count, unsigned repeats,
                      const volatile sig_atomic_t *stop, po_answer_taker *taker) {
-  po_question questions[MOST_SCENES];
+  po_question questions[PO_MOST_KNOWN];
   forget_answers(c);
   for (size_t i = 0; i < count; ++i) {
     questions[i] = c->scenes[i].question;
@@ -246,20 +194,30 @@ static void test_number(conforming *c, int number, const po_pair *pairs, size_t 
 }
 
 static void compare_scenes(conforming *c) {
+  size_t answered = 0, compared = 0;
+  for (size_t i = 0; i < c->count; ++i)
+    answered += !c->scenes[i].answer.result.status;
   for (int n = 0; n < NUMBERS; ++n) {
-    po_pair pairs[MOST_SCENES];
+    po_pair pairs[PO_MOST_KNOWN];
     size_t count = 0;
     for (size_t i = 0; i < c->count; ++i) {
       const conform_scene *s = &c->scenes[i];
       double obtained[NUMBERS];
       pull_off_of(&s->answer.result, obtained);
       if (!s->answer.result.status && s->final && isfinite(obtained[n]) &&
-          fabs(s->expected[n]) > COMPARED[n].small)
-        pairs[count++] = (po_pair){obtained[n], s->expected[n], &s->question.request.scene};
+          fabs(c->known.scenes[i].expected[n]) > COMPARED[n].small)
+        pairs[count++] =
+            (po_pair){obtained[n], c->known.scenes[i].expected[n], &s->question.request.scene};
     }
+    compared += count;
     if (count)
       test_number(c, n, pairs, count);
   }
+  if (answered && !compared)
+    tell(c, "wrong",
+         "no answer has a number that can be compared: expected one of force, approach (beyond %g) "
+         "and contact radius (beyond %g) at pull-off",
+         COMPARED[APPROACH].small, COMPARED[CONTACT_RADIUS].small);
 }
 
 static po_status test_scenes(conforming *c) {
@@ -278,11 +236,12 @@ static po_status test_scenes(conforming *c) {
     double obtained[NUMBERS];
     pull_off_of(o, obtained);
     if (o->status)
-      tell(c, "wrong", "%s, tabor %g, radius %g: %s: %s", s->limit, scene->tabor, scene->radius,
-           po_status_name(o->status), o->reason);
+      tell(c, "wrong", "%s, tabor %g, radius %g: %s: %s", limit_of(scene->tabor), scene->tabor,
+           scene->radius, po_status_name(o->status), o->reason);
     else
-      tell(c, "ok", "%s, tabor %g, radius %g: answered; force %.6g, expected %.6g", s->limit,
-           scene->tabor, scene->radius, obtained[FORCE], s->expected[FORCE]);
+      tell(c, "ok", "%s, tabor %g, radius %g: answered; force %.6g, expected %.6g",
+           limit_of(scene->tabor), scene->tabor, scene->radius, obtained[FORCE],
+           c->known.scenes[i].expected[FORCE]);
   }
   if (!status)
     compare_scenes(c);
@@ -377,10 +336,11 @@ po_status po_conform(const po_solver *solver, const char *data_folder, const cha
                      const volatile sig_atomic_t *stop, size_t *wrong) {
   conforming c = {.solver = solver, .folder = folder, .stop = stop, .wrong = wrong};
   *wrong = 0;
-  po_status status = po_reference_open(data_folder, TABLE, &c.table);
+  po_status status = po_known_scenes_choose(solver, data_folder, &c.known);
   if (status)
     return status;
-  choose_scenes(&c);
+  c.count = c.known.count;
+  ask_known_scenes(&c);
   forget_answers(&c);
   tell(&c, "ok", "manifest: %u quantities, %s", solver->file->can.quantities_count,
        solver->unstable ? "finds unstable equilibria" : "follows stable equilibria");
@@ -388,12 +348,15 @@ po_status po_conform(const po_solver *solver, const char *data_folder, const cha
     tell(&c, "note", "this kernel cannot confine the files that the solver writes");
   status = test_empty(&c);
   if (!status && c.count == 0)
-    tell(&c, "note", "no smooth sphere is within the manifest: no scene was asked");
+    tell(&c, "wrong",
+         "no scene was asked, so that no number is tested: expected a manifest that accepts a "
+         "smooth sphere under the law lennard-jones, with a tabor of at most 10 and an outer "
+         "radius that is inf or not below the radius%s%s%s",
+         *c.known.why ? " (" : "", c.known.why, *c.known.why ? ")" : "");
   po_status (*const tests[])(conforming *) = {test_scenes, test_repeats, test_unsupported,
                                               test_stop};
   for (size_t i = 0; i < sizeof tests / sizeof *tests && c.count && !status; ++i)
     status = tests[i](&c);
   forget_answers(&c);
-  po_reference_close(&c.table);
   return status;
 }

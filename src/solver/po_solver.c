@@ -296,7 +296,7 @@ po_file_path po_solver_folder(const po_solver *solver, const char *output) {
   return po_path_join(po_path_join(output, PO_CASE_FOLDER_OF_SOLVERS).text, solver->name);
 }
 
-static const po_solver_key *find_key(const po_solver *solver, po_key key) {
+const po_solver_key *po_solver_find_key(const po_solver *solver, po_key key) {
   const po_solver_can *can = &solver->file->can;
   for (unsigned i = 0; i < can->scene_count; ++i)
     if (strcmp(can->scene[i].axis.key, PO_KEYS[key].name) == 0)
@@ -320,7 +320,7 @@ bool po_solver_accepts(const po_solver *solver, const po_request *request,
     if (!po_key_is_of_scene(key) || po_key_is_idle(request, key))
       continue;
     char value[PO_KEY_TEXT_LENGTH];
-    const po_solver_key *item = find_key(solver, key);
+    const po_solver_key *item = po_solver_find_key(solver, key);
     if (item && accepts_value(item, request, key))
       continue;
     po_key_print(request, key, value);

@@ -9,6 +9,7 @@
 #include "po_check.h"
 #include "po_digest.h"
 #include "po_file.h"
+#include "po_input.h"
 #include "po_request.h"
 
 /* The version of the protocol: the value of `protocol` in a manifest, and the schema of requests.
@@ -80,6 +81,9 @@ char *po_solver_replace(const char *word, const char *name, const char *value);
 
 /* Returned: the folder of the records of a solver, OUTPUT/solvers/NAME. */
 po_file_path po_solver_folder(const po_solver *solver, const char *output);
+
+/* Returned: what the manifest says of a key of the scene; NULL: nothing. */
+const po_solver_key *po_solver_find_key(const po_solver *solver, po_key key);
 
 /* Reports whether the solver accepts a scene: it knows all keys that describe the scene, and
  * accepts their values. Returned: otherwise, in `why`, the key and its value. */

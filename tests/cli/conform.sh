@@ -11,8 +11,8 @@ protocol: pulloff-ask/1
 solver: $1
 command: [/usr/bin/python3, '$here/responder.py', $1, '$root/reference/feng_pull_off.csv', '{request}', '{response}']
 can:
-  scene: [{key: tabor}, {key: radius}, {key: outer_radius}]
-  quantities: [pull_off_force, pull_off_approach, contact_radius]
+  scene: ${scene:-[{key: tabor\}, {key: radius\}, {key: outer_radius\}]}
+  quantities: [${quantities:-pull_off_force, pull_off_approach, contact_radius}]
   unstable: true
 start_limit: ${start_limit:-20}
 time_limit: ${time_limit:-1}
@@ -58,6 +58,38 @@ conform 1 approach_sign 'wrong +approach at pull-off: the expected value times -
 conform 1 shifted 'wrong +approach at pull-off: the expected value -1 eps' 'ok +force at pull-off'
 check 'one line names the fault' [ "$(grep -c '^wrong' "$work/stdout")" -eq 1 ]
 check 'the last line counts it' grep -qx '1 finding is wrong' "$work/stdout"
+
+# A manifest of soft scenes alone was asked nothing, and passed with a force times pi. The scenes come from the values
+# and the ranges of the manifest, whatever these are.
+for scene in '[{key: tabor, from: 2}, {key: radius}, {key: outer_radius}]' \
+  '[{key: tabor, from: 6, to: 8}, {key: radius}, {key: outer_radius}]' \
+  '[{key: tabor, values: [0.65]}, {key: radius}, {key: outer_radius}]' \
+  '[{key: tabor, to: 0.005}, {key: radius}, {key: outer_radius}]' \
+  '[{key: tabor, values: [0]}, {key: radius}, {key: outer_radius}]' \
+  '[{key: tabor}, {key: radius, from: 2000}, {key: outer_radius}]' \
+  '[{key: tabor}, {key: radius, values: [77]}, {key: outer_radius}]' \
+  '[{key: tabor}, {key: radius, from: 60, to: 90}, {key: outer_radius, values: [400]}]'; do
+  conform 0 good 'ok +force at pull-off: within 5 % of the expected value in [1-4] scene'
+  conform 1 pi 'wrong +force at pull-off: the expected value times pi in'
+  check "$scene: the scenes differ" [ -z "$(grep answered "$work/stdout" | sort | uniq -d)" ]
+done
+# What is expected between the rows of the table is what the program finds.
+scene='[{key: tabor, values: [7]}, {key: radius}, {key: outer_radius}]'
+conform 0 good 'ok +JKR, tabor 7, radius 100'
+expected=$(sed -n 's/.*radius 100: answered.* expected //p' "$work/stdout")
+found=$("$program" solve --tabor 7 | sed -n 's/^pull-off force \([^ ]*\) .*/\1/p')
+check "tabor 7: expected $expected, solved $found" awk "BEGIN {exit !($expected / $found < 1.01 && $expected / $found > 0.99)}"
+# Nothing that is known: the test does not pass, and says why.
+for scene in '[{key: tabor, from: 12}, {key: radius}, {key: outer_radius}]' '[{key: tabor}, {key: radius}]' \
+  '[{key: tabor}, {key: radius}, {key: outer_radius, to: 5}]' '[{key: tabor, to: -1}, {key: radius}, {key: outer_radius}]'; do
+  conform 1 good 'wrong +no scene was asked, so that no number is tested: expected a manifest that accepts'
+done
+scene='[{key: tabor}, {key: radius}]'
+conform 1 good 'wrong +no scene was asked, .*outer_radius is inf: the manifest does not declare this key'
+scene=
+quantities=folds
+conform 1 numberless 'ok +Bradley' 'wrong +no answer has a number that can be compared'
+quantities=
 
 # Wrong answers: the point gets a status, the others are judged.
 conform 1 nothing 'wrong +Bradley, .*: no_answer: the solver ended without an answer' \

@@ -7,6 +7,7 @@ It knows the pull-off of smooth spheres, from the reference table TABLE, and ans
 
 import csv
 import json
+import math
 import os
 import signal
 import subprocess
@@ -32,14 +33,30 @@ FAULTS = {  # of the force
 SHIFTS = {"approach_sign": lambda approach: -approach, "shifted": lambda approach: approach - 1}
 
 
+def numbers_at(table, tabor):
+    """The numbers of a Tabor parameter: of the table, else a power of it between two rows; None beyond."""
+    rows = sorted(table)
+    if tabor < rows[0]:
+        return {**table[rows[0]], "force": 2, "approach": 0}
+    above = next((k for k, row in enumerate(rows) if row >= tabor), None)
+    if above is None or rows[above] == tabor:
+        return table.get(tabor)
+    low, high = rows[above - 1], rows[above]
+    part = math.log(tabor / low) / math.log(high / low)
+    return {name: float(table[low][name]) * (float(table[high][name]) / float(table[low][name]))**part
+            for name in ("force", "approach", "contact_radius_over_root_radius")}
+
+
 def answer(mode, table, point):
     scene = point["scene"]
-    row = table.get(float(scene["tabor"]))
+    row = numbers_at(table, float(scene["tabor"]))
     if row is None or set(scene) - {"tabor", "radius", "outer_radius"}:
         return {"id": point["id"], "status": "unsupported", "reason": "only smooth spheres of the table"}
     force, approach = float(row["force"]), float(row["approach"])
     force = FAULTS.get(mode, lambda force, scene: force)(force, scene)
     approach = SHIFTS.get(mode, lambda approach: approach)(approach)
+    if mode == "numberless":
+        return {"id": point["id"], "repeat": 1, "status": "ok", "folds": []}
     radius = float(row["contact_radius_over_root_radius"]) * scene["radius"]**0.5
     return {"id": point["id"], "repeat": 1, "status": "ok", "seconds": {"solve": 1e-3},
             "pull_off": {"force": force, "approach": approach, "contact_radius": radius}}
