@@ -95,12 +95,26 @@ static po_status add_row(const po_compare_input *c, size_t row, const char *subj
   return PO_OK;
 }
 
-/* Returned: in *most, the number with the largest uncertainty among the jumps or the steps of a
- * scene. Status: as above. */
-static po_status rows_uncertainty(po_quantity quantity, const po_reference *reference,
-                                  const po_request *request, po_reference_number *most) {
+/* A relative tolerance of a value that is 0, or 0 within its uncertainty, allows nothing that can
+ * be said in numbers. Pins are compared to the last bit first. */
+static bool is_relative_to_zero(const po_check *check, po_reference_number expected) {
+  return check->kind != PO_TOLERANCE_ABS && check->type != PO_REFERENCE_PINS &&
+         (expected.value == 0 || fabs(expected.value) <= expected.uncertainty);
+}
+
+static bool too_tight(const po_check *check, po_reference_number expected) {
+  return is_relative_to_zero(check, expected) ||
+         (!isnan(expected.uncertainty) &&
+          po_check_allowance(check, expected.value) < expected.uncertainty);
+}
+
+/* Returned: in *most, the number for which a tolerance is the least against its uncertainty, among
+ * the jumps or the steps of a scene. Status: as above. */
+static po_status tightest_number(const po_check *check, const po_reference *reference,
+                                 const po_request *request, po_reference_number *most) {
   size_t count = 0;
-  const number_column *columns = compared_numbers(quantity, reference, &count);
+  double ratio = 0;
+  const number_column *columns = compared_numbers(check->quantity, reference, &count);
   *most = (po_reference_number){(double)NAN, 0};
   for (size_t row = 0; po_reference_next_row(reference, request, &row); ++row)
     for (size_t n = 0; n < count; ++n) {
@@ -108,8 +122,13 @@ static po_status rows_uncertainty(po_quantity quantity, const po_reference *refe
       const po_status status = po_reference_cell(reference, row, columns[n].column, &number);
       if (status)
         return status;
-      if (number.uncertainty > most->uncertainty)
+      const double own = is_relative_to_zero(check, number)
+                             ? (double)INFINITY
+                             : number.uncertainty / po_check_allowance(check, number.value);
+      if (own > ratio) {
+        ratio = own;
         *most = number;
+      }
     }
   return PO_OK;
 }
@@ -208,8 +227,18 @@ po_status po_compare_steps(const po_compare_input *c) {
 /* A tolerance in other units than the uncertainty is stated with what it allows. */
 static po_status refuse(const po_case *kase, const po_check *check, unsigned number,
                         const po_reference *reference, po_reference_number expected) {
-  char text[PO_NUMBER_LENGTH], allows[64] = "";
+  char text[PO_NUMBER_LENGTH], allows[64] = "", value[PO_NUMBER_LENGTH], of_value[64] = "";
   po_number_print(expected.uncertainty, text);
+  po_number_print(expected.value, value);
+  if (expected.uncertainty > 0)
+    snprintf(of_value, sizeof of_value, " with an uncertainty of %s", text);
+  if (is_relative_to_zero(check, expected))
+    return po_fail(PO_BAD_INPUT,
+                   "%s:%zu: checks[%u].kind is %s, but %s has the value %s%s, to which no "
+                   "tolerance can be relative: expected kind: abs, with a tolerance in the unit of "
+                   "%s",
+                   kase->shown, check->tolerance_line, number, check->kind_text, reference->name,
+                   value, of_value, check->quantity_text);
   if (check->kind != PO_TOLERANCE_ABS)
     snprintf(allows, sizeof allows, " %.3s, which allows %.15g", check->kind_text,
              po_check_allowance(check, expected.value));
@@ -218,10 +247,6 @@ static po_status refuse(const po_case *kase, const po_check *check, unsigned num
       "%s:%zu: checks[%u].tolerance is %s%s: expected at least %s, the uncertainty of %s",
       kase->shown, check->tolerance_line, number, check->tolerance_text, allows, text,
       reference->name);
-}
-
-static bool too_tight(const po_check *check, double expected, double uncertainty) {
-  return !isnan(uncertainty) && po_check_allowance(check, expected) < uncertainty;
 }
 
 static po_status check_points(const po_case *kase, const po_check *check, unsigned number,
@@ -235,12 +260,10 @@ static po_status check_points(const po_case *kase, const po_check *check, unsign
   po_status status =
       po_reference_points(reference, check->quantity, request, &everywhere, &points, &count);
   for (size_t i = 0; !status && i < count; ++i) {
-    if (too_tight(check, points[i].approach, points[i].approach_error))
-      status = refuse(kase, check, number, reference,
-                      (po_reference_number){points[i].approach, points[i].approach_error});
-    else if (too_tight(check, points[i].load, points[i].load_error))
-      status = refuse(kase, check, number, reference,
-                      (po_reference_number){points[i].load, points[i].load_error});
+    const po_reference_number approach = {points[i].approach, points[i].approach_error},
+                              load = {points[i].load, points[i].load_error};
+    if (too_tight(check, approach) || too_tight(check, load))
+      status = refuse(kase, check, number, reference, too_tight(check, approach) ? approach : load);
   }
   free(points);
   return status;
@@ -261,9 +284,9 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
     else {
       po_reference_number expected = {0};
       status = po_quantity_is_steps(check->quantity)
-                   ? rows_uncertainty(check->quantity, reference, request, &expected)
+                   ? tightest_number(check, reference, request, &expected)
                    : po_reference_find(reference, check->quantity, request, &expected);
-      if (!status && too_tight(check, expected.value, expected.uncertainty))
+      if (!status && too_tight(check, expected))
         status = refuse(kase, check, number, reference, expected);
     }
     if (status && status != PO_NOT_FOUND)

@@ -242,6 +242,11 @@ static void blame_solver(const po_case_run *run, const po_check_result *item, po
         "%s follows stable equilibria and cannot see this value: the check does not "
         "count",
         run->plan->solver->name);
+  else if (item->ledger == PO_LEDGER_PUBLISHED)
+    say(blame, "solver",
+        "%s is a published table: check %s first, and whether its mesh is fine enough, then the "
+        "publication and its digitisation",
+        item->check->reference, run->plan->solver->name);
   else
     say(blame, "solver",
         "%s was computed by an independent method: check %s first, and whether its mesh is fine "

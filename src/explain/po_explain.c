@@ -173,10 +173,15 @@ static void explain_numbers(const po_check_result *item, po_text *text) {
   if (isfinite(item->uncertainty) && item->uncertainty > 0)
     po_text_add(text, ", with an uncertainty of %.2g", item->uncertainty);
   po_text_add(text, "\n");
-  if (isfinite(item->error))
-    po_text_add(text, "  %s %+.3g, %.4g times the tolerance of %s %s\n",
-                check->quantity == PO_CURVE ? "distance  " : "difference", item->error, item->ratio,
-                check->tolerance_text, check->kind_text);
+  if (!isfinite(item->error))
+    return;
+  po_text_add(text, "  %s %+.3g, ", check->quantity == PO_CURVE ? "distance  " : "difference",
+              item->error);
+  if (isfinite(item->ratio)) /* not of a pin that is 0 */
+    po_text_add(text, "%.4g times", item->ratio);
+  else
+    po_text_add(text, "expected none: the value is 0, and so is");
+  po_text_add(text, " the tolerance of %s %s\n", check->tolerance_text, check->kind_text);
 }
 
 static void explain_item(const po_case_run *run, const po_finding *finding, const char *output,

@@ -4,11 +4,13 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "po_memory.h"
+#include "po_observe.h"
 #include "po_pins.h"
 #include "po_quote.h"
-#include "po_observe.h"
+#include "po_text.h"
 
 /* Adds a line to the description. */
 static void __attribute__((format(printf, 2, 3))) say(json_t **lines, const char *format, ...) {
@@ -227,6 +229,66 @@ static void tell_checks(const po_plan *plan, json_t **lines) {
   }
 }
 
+/* Marks the rows of the table of a check that belong to its points. */
+static void mark_rows(const po_case *kase, const po_check *check, const po_reference *reference,
+                      bool *used) {
+  for (size_t k = 0; k < kase->point_count; ++k) {
+    if (!po_check_concerns(check, &kase->points[k].request))
+      continue;
+    const po_request asked = po_check_request(check, &kase->points[k].request);
+    for (size_t row = 0; po_reference_next_row(reference, &asked, &row); ++row)
+      used[row] = true;
+  }
+}
+
+/* Adds the lines of the unused rows as ranges, a few of them: "7-9, 12, ...". */
+static void add_ranges(const po_csv *table, const bool *used, po_text *text) {
+  enum { MOST_RANGES = 8 };
+  int ranges = 0;
+  for (size_t row = 0, end = 0; row < table->row_count; row = end + 1) {
+    for (end = row; end < table->row_count && !used[end]; ++end)
+      continue;
+    if (end == row)
+      continue;
+    if (ranges++ == MOST_RANGES) {
+      po_text_add(text, ", ...");
+      return;
+    }
+    po_text_add(text, "%s%zu", ranges > 1 ? ", " : "", table->lines[row]);
+    if (end > row + 1)
+      po_text_add(text, "-%zu", table->lines[end - 1]);
+  }
+}
+
+/* Says which rows of a table no check and no measurement of the case uses, once for each table. */
+static void tell_unused_rows(const po_plan *plan, unsigned number, json_t **lines) {
+  const po_case *kase = plan->kase;
+  const po_reference *reference = &plan->references[number];
+  const po_check *other = NULL;
+  if (reference->type != PO_REFERENCE_TABLE)
+    return;
+  for (unsigned i = 0; i < number; ++i)
+    if (strcmp(plan->references[i].name, reference->name) == 0)
+      return;
+  bool *used = po_allocate(reference->table.row_count, sizeof *used);
+  if (!used)
+    return;
+  for (unsigned i = number; (other = po_case_check(kase->file, i)) != NULL; ++i)
+    if (strcmp(plan->references[i].name, reference->name) == 0)
+      mark_rows(kase, other, &plan->references[i], used);
+  size_t unused = 0;
+  for (size_t row = 0; row < reference->table.row_count; ++row)
+    unused += !used[row];
+  po_text ranges = {0};
+  add_ranges(&reference->table, used, &ranges);
+  if (unused)
+    say(lines, "no scene of the case is that of %zu of %zu rows of %s: line%s %s", unused,
+        reference->table.row_count, reference->name, unused == 1 ? "" : "s",
+        po_text_string(&ranges));
+  po_text_clear(&ranges);
+  free(used);
+}
+
 /* The plan of an external solver: what it is asked, and what it is not. */
 static void describe_solver(const po_plan *plan, json_t **lines) {
   const po_case *kase = plan->kase;
@@ -254,6 +316,8 @@ json_t *po_plan_describe(const po_plan *plan) {
     tell_wants(plan, &lines);
     tell_checks(plan, &lines);
     tell_measures(plan, &lines);
+    for (unsigned i = 0; po_case_check(plan->kase->file, i); ++i)
+      tell_unused_rows(plan, i, &lines);
   }
   return lines;
 }

@@ -57,6 +57,41 @@ refused 4 'reference/table.csv:12: the last line has no newline: the file is tru
 write_table "$table" tabor,force,approach,force_uncertainty 0,2,0,1e-6
 refused 2 'cases/good.yaml:15: checks[[]1[]].tolerance is 1e-9: expected at least 1e-06, *'
 
+# A tolerance relative to a value that is 0, or 0 within its uncertainty, was "inf times the tolerance" of a wrong
+# program. It is an error of the case: with every kind of value, and units in the last place are relative, too.
+relative() { # KIND QUANTITY COLUMNS ROW VALUE
+  restore
+  write_table "$table" "$3" "$4"
+  sed -i "s/quantity: .*/quantity: $2/; s/kind: abs/kind: $1/" "$PULLOFF_DATA/cases/good.yaml"
+  expect 2 "pulloff: cases/good.yaml:15: checks[[]1].kind is $1, but reference/table.csv has the value $5, to which no tolerance can be relative: expected kind: abs, with a tolerance in the unit of $2" \
+    plan good
+}
+for kind in rel ulp; do
+  relative $kind pull_off_approach tabor,force,approach 0,2,0 0
+  relative $kind pull_off_approach tabor,force,approach,uncertainty 0,2,0,0 0
+  relative $kind pull_off_force tabor,force,approach,force_uncertainty 0,2,0,3 '2 with an uncertainty of 3'
+  relative $kind hysteresis_loss tabor,energy_lost,uncertainty 0,0,0 0
+  relative $kind extrema tabor,kind,approach,load,uncertainty 0,minimum,0,-2,0 0
+  relative $kind jumps tabor,phase,approach,load_before,load_after,energy_lost,uncertainty 0,loading,1,2,0,3,0 0
+done
+restore
+sed -i 's/quantity: .*/quantity: pull_off_approach/; s/reference: .*/reference: bradley/; s/kind: abs/kind: rel/' "$PULLOFF_DATA/cases/good.yaml"
+expect 2 'pulloff: cases/good.yaml:15: checks[[]1].kind is rel, but bradley has the value 0, to which *' verify good --output out
+restore
+
+# The plan says which rows of a table no scene of the case has.
+write_table "$table" tabor,force,approach 0,2,0 1,1.6,0 2,1.5,0 3,1.5,0 5,1.5,0
+expect 0 '' plan good
+check "all rows but one: $(cat "$work/stdout")" \
+  grep -q '^  no scene of the case is that of 4 of 5 rows of reference/table.csv: lines 13-16$' "$work/stdout"
+sed -i '/^  tabor: 0/d; s/^want/sweep: [{key: tabor, values: [0, 2, 5]}]\nwant/' "$PULLOFF_DATA/cases/good.yaml"
+expect 0 '' plan good
+check 'two rows' grep -q '2 of 5 rows of reference/table.csv: lines 13, 15$' "$work/stdout"
+sed -i 's/values: .0, 2, 5./values: [0, 1, 2, 3, 5]/' "$PULLOFF_DATA/cases/good.yaml"
+expect 0 '' plan good
+check 'no row' sh -c "! grep -q 'rows of' '$work/stdout'"
+restore
+
 # If a reference has no row for the scene, the verdict is missing_reference. It does not pass, but it is no error.
 write_table "$table" tabor,force,approach 1,1.6,0
 expect 1 '*' verify good --output out

@@ -94,6 +94,31 @@ printed 'pull_off_force .* outside'
 check 'the record names the solver in its commands' [ "$(value run/solvers/pi/judged/record.json \
   "r['command'] == 'pulloff run judged.yaml --solver pi.yaml' and 'solver pi.yaml' in r['points'][0]['command']")" = True ]
 
+# Of a table of one's own that is published, explain does not say that it "was computed by an independent method".
+write_table() { # KIND FACTOR
+  printf 'tabor,force\n' >own.csv
+  grep -v '^#' "$root/reference/feng_pull_off.csv" | awk -F, -v factor="$2" '$1 == 1 || $1 == 2 {print $1 "," $2 * factor}' >>own.csv
+  "$program" seal --what a --source b --kind "$1" --method c --units d --uncertainty 0.001 own.csv >"$work/stdout"
+}
+cat >own.yaml <<'END'
+name: own
+title: A table of one's own
+suites: [own]
+scene: {radius: 100, outer_radius: inf, scheme: panel}
+sweep: [{key: tabor, values: [1, 2]}]
+want: [pull_off]
+checks: [{quantity: pull_off_force, reference: own.csv, tolerance: 0.01, kind: abs, because: b}]
+END
+for kind in published oracle; do
+  write_table $kind 1.02
+  go 1 explain own.yaml --solver good.yaml --output own
+  if [ $kind = published ]; then
+    printed 'fault +solver: own.csv is a published table: check good first, .*then the publication and its digitisation'
+  else
+    printed 'fault +solver: own.csv was computed by an independent method'
+  fi
+done
+
 # explain asks only for the points that it explains, and uses those that are known.
 manifest pi
 go 1 verify judged.yaml --solver pi.yaml --output few --points 0-1
