@@ -63,6 +63,11 @@ const char *po_quote_find(const char *text, size_t length) {
   return NULL;
 }
 
+size_t po_quote_mark(const char *text) {
+  static const char MARK[] = "\xEF\xBB\xBF";
+  return strncmp(text, MARK, sizeof MARK - 1) == 0 ? sizeof MARK - 1 : 0;
+}
+
 /* Quotes the first `length` bytes of a text. */
 static char *quote(const char *text, size_t length, char *shown, size_t size) {
   size_t used = 0;

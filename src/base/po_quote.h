@@ -11,6 +11,10 @@
  * sequences of terminals begin with one. Returned: that byte, or NULL. */
 const char *po_quote_find(const char *text, size_t length);
 
+/* Returned: the number of bytes of the byte order mark with which some programs begin UTF-8; 0 if
+ * `text` does not begin with it. */
+size_t po_quote_mark(const char *text);
+
 /* Copies `text` into `shown`, `size` bytes including the NUL. Valid UTF-8 is kept; control
  * characters and invalid bytes are written as \xNN. If `shown` is too short, the copy ends after a
  * complete character. Returned: shown. */

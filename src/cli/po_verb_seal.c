@@ -15,9 +15,10 @@ static const char HELP[] =
     "Makes reference tables of CSV files: completes the header lines that every table must have,\n"
     "and writes the checksum. Use it only for a table whose numbers you have just checked: a "
     "table\n"
-    "with a correct checksum counts as undamaged. Options are needed for the headers that the\n"
-    "files do not have; they replace those that they have. reference/README.md describes the\n"
-    "headers.\n"
+    "with a correct checksum counts as undamaged. A table with nan or text in a column of numbers\n"
+    "is refused. Options are needed for the headers that the files do not have; they replace "
+    "those\n"
+    "that they have. reference/README.md describes the headers.\n"
     "\n"
     "  --what TEXT         what the numbers are\n"
     "  --source TEXT       where they come from: a citation with the equation or figure\n"
@@ -70,8 +71,7 @@ static int find_name(const char *key, size_t length) {
  * checksum, and all others. Returned: in `had`, the headers that the file keeps. */
 static void split(char *bytes, const char *const values[HEADERS], po_text *header, po_text *rows,
                   bool had[HEADERS]) {
-  static const char MARK[] = "\xEF\xBB\xBF"; /* the byte order mark in UTF-8 */
-  char *at = bytes + (strncmp(bytes, MARK, strlen(MARK)) == 0 ? strlen(MARK) : 0);
+  char *at = bytes + po_quote_mark(bytes);
   while (*at) {
     const size_t length = strcspn(at, "\r\n");
     const char end = at[length];
@@ -142,6 +142,8 @@ static po_status replace(const char *path, const po_text *text) {
   po_status status = po_file_write(beside.text, text->data, text->length);
   if (!status)
     status = po_reference_read(beside.text, path, &reference);
+  if (!status)
+    status = po_reference_check_cells(&reference);
   po_reference_close(&reference);
   unlink(beside.text);
   return status ? status : po_file_write(path, text->data, text->length);
@@ -151,8 +153,8 @@ static po_status replace(const char *path, const po_text *text) {
  * of other systems are removed. Given: `values`, for each header its text, or
  * NULL; a header that the file has is replaced if a text is given. generator, command and date have
  * defaults. Status: PO_BAD_INPUT if headers are missing, all of which the message names;
- * PO_CANNOT_READ (the file, or what makes it no table, with its line); PO_CANNOT_WRITE; the file is
- * then unchanged. */
+ * PO_CANNOT_READ (the file, or what makes it no table, with its line: also a cell that is no number
+ * in a column of numbers); PO_CANNOT_WRITE; the file is then unchanged. */
 static po_status seal(const char *path, const char *const values[HEADERS]) {
   char *bytes = NULL, digest[PO_DIGEST_LENGTH];
   size_t size = 0;

@@ -9,7 +9,9 @@
 #include "po_file.h"
 #include "po_law.h"
 #include "po_memory.h"
+#include "po_number.h"
 #include "po_pins.h"
+#include "po_si.h"
 #include "po_wavy_rigid.h"
 
 /* The closed form of the rigid smooth sphere as a reference. It applies to smooth scenes with the
@@ -118,6 +120,54 @@ static po_status check_selectors(const po_csv *table) {
                      header->key, header->value, PO_KEYS[key].expected);
   }
   return PO_OK;
+}
+
+static bool ends_with(const char *name, size_t length, const char *end) {
+  return length >= strlen(end) && strncmp(name + length - strlen(end), end, strlen(end)) == 0;
+}
+
+/* Reports whether checks read numbers from a column, in SI units or without a unit. */
+static bool is_read(const char *name) {
+  size_t length = strlen(name), stem = 0;
+  po_dimension dimension;
+  double size = 0;
+  if (po_si_parse(name, &stem, &dimension, &size))
+    length = stem;
+  static const char *const LOADS[] = {"load", "load_before", "load_after"};
+  enum { LOAD_COUNT = sizeof LOADS / sizeof *LOADS };
+  bool known = ends_with(name, length, "uncertainty");
+  for (int k = 0; k < PO_QUANTITY_COUNT + LOAD_COUNT; ++k) {
+    const char *of = k < LOAD_COUNT ? LOADS[k] : PO_QUANTITIES[k - LOAD_COUNT].column;
+    known = known || (strlen(of) == length && strncmp(name, of, length) == 0);
+  }
+  return known;
+}
+
+/* Checks the cells of a column that is no key of a scene. */
+static po_status check_column(const po_csv *table, size_t column) {
+  const bool read = is_read(table->columns[column]);
+  bool numbers = read;
+  double value = 0;
+  for (size_t row = 0; row < table->row_count; ++row)
+    numbers = numbers || po_number_parse(po_csv_cell(table, row, column), &value);
+  for (size_t row = 0; numbers && row < table->row_count; ++row) {
+    const char *cell = po_csv_cell(table, row, column);
+    const bool none =
+        strcmp(cell, "inf") == 0 || strcmp(cell, "-inf") == 0 || strcmp(cell, NO_VALUE) == 0;
+    const po_status status = !read && none ? PO_OK : po_csv_number(table, row, column, &value);
+    if (status)
+      return status;
+  }
+  return PO_OK;
+}
+
+po_status po_reference_check_cells(const po_reference *reference) {
+  const po_csv *table = &reference->table;
+  po_status status = check_selectors(table);
+  for (size_t c = 0; !status && c < table->column_count; ++c)
+    if (po_key_of_name(table->columns[c]) < 0)
+      status = check_column(table, c);
+  return status;
 }
 
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference) {

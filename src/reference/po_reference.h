@@ -56,6 +56,12 @@ extern const char *const PO_LEDGERS[]; /* the name of each ledger */
  * Status: PO_CANNOT_READ with file and line. */
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference);
 
+/* Checks all cells of a table, of which a check reads only those of its scenes: the values of the
+ * keys of a scene, and the numbers in every other column that has a number, or whose name is that
+ * of a number which checks read. inf, -inf and - stand for no number in columns that no check
+ * reads. Status: PO_CANNOT_READ with file and line. */
+po_status po_reference_check_cells(const po_reference *reference);
+
 /* Looks up the value of a quantity that is a single number (e.g. pull_off_force) for a scene.
  * Status: PO_NOT_FOUND (the reference has no value for the scene), PO_CANNOT_READ (a column is
  * missing or does not hold a number). */

@@ -185,6 +185,9 @@ po_status po_taking_lines(po_taking *t, bool last) {
     size_t length = 0;
     const char *line = NULL;
     while (!status && (line = next_line(response, last && !more, &length))) {
+      const size_t mark = t->found.lines ? 0 : po_quote_mark(line);
+      line += mark;
+      length -= mark;
       t->found.lines += 1;
       status = take_line(t, line, length);
     }

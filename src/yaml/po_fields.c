@@ -70,11 +70,23 @@ static po_status refuse_key(const place *at, const yaml_node_t *key, const po_fi
 static po_status load_mapping(place *at, const yaml_node_t *node, const po_field *fields,
                               char *structure);
 
+/* Returned: the text of a scalar; of the spellings of infinity in YAML, that of this program. */
+static const char *scalar_of(const yaml_node_t *node) {
+  static const char *const SPELLINGS[] = {".inf", ".Inf", ".INF"};
+  const char *text = text_of(node);
+  const bool sign = *text == '+' || *text == '-';
+  for (size_t k = 0; k < sizeof SPELLINGS / sizeof *SPELLINGS; ++k)
+    if (node->data.scalar.style == YAML_PLAIN_SCALAR_STYLE &&
+        strcmp(text + sign, SPELLINGS[k]) == 0)
+      return *text == '-' ? "-inf" : "inf";
+  return text;
+}
+
 static po_status load_text(const place *at, const yaml_node_t *node, const po_field *field,
                            char **to) {
   if (node->type != YAML_SCALAR_NODE || !*text_of(node))
     return refuse(at, field);
-  *to = po_copy_text(text_of(node));
+  *to = po_copy_text(scalar_of(node));
   return *to ? PO_OK : PO_NO_MEMORY;
 }
 

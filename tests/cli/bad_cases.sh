@@ -22,6 +22,18 @@ expect 2 'pulloff: no case belongs to the suite extreme: expected one of smoke' 
 expect 2 'pulloff: no case belongs to the suite empty: expected one of smoke' list --suite smoke,,smoke
 expect 4 'pulloff: absent.yaml cannot be opened: No such file or directory' run absent.yaml
 
+# Infinity as YAML spells it was refused where it is meant, and a byte order mark is no text.
+for infinity in .inf .Inf .INF +.inf; do
+  restore
+  sed -i "s/outer_radius: inf/outer_radius: $infinity/" "$file"
+  expect 0 '*good: 1 points, 1 checks: within*' run --output out0
+done
+{ printf '\357\273\277' && cat "$file"; } >"$work/marked" && mv "$work/marked" "$file"
+expect 0 '*good: 1 points, 1 checks: within*' run --output out0
+spoilt 's/outer_radius: inf/outer_radius: -.inf/' '8: scene.outer_radius is -.inf: expected a finite number > 0, or inf'
+spoilt 's/outer_radius: inf/outer_radius: .nan/' '8: scene.outer_radius is .nan: expected a finite number > 0, or inf'
+spoilt 's/outer_radius: inf/outer_radius: ".inf"/' '8: scene.outer_radius is .inf: expected a finite number > 0, or inf'
+
 spoilt 's/radius: 100/radius: -3/' '7: scene.radius is -3: expected a finite number > 0'
 spoilt 's/radius: 100/radius: nan/' '7: scene.radius is nan: expected a finite number > 0'
 spoilt 's/radius: 100/radius: .inf/' '7: scene.radius is .inf: expected a finite number > 0'

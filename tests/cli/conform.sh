@@ -45,6 +45,17 @@ check 'a folder that was there before is left' [ -z "$(ls out)" ]
 conform 0 slow 'ok +stopped after [123] of 4 answers'
 conform 0 scalar 'ok +force at pull-off: within'
 conform 0 noise 'ok +force at pull-off: within'
+# A byte order mark before the first answer made it invalid.
+conform 0 marked 'ok +force at pull-off: within 5 % of the expected value in 4 scenes'
+# The spellings of infinity in YAML, and a byte order mark of a manifest, are read.
+for infinity in .inf .Inf .INF +.inf inf; do
+  scene="[{key: tabor}, {key: radius}, {key: outer_radius, values: [$infinity]}]"
+  conform 0 good 'ok +force at pull-off: within 5 % of the expected value in 4 scenes'
+done
+scene=
+manifest good
+{ printf '\357\273\277' && cat good.yaml; } >marked.yaml
+expect 0 '' conform marked.yaml --output out
 
 # Planted factors: each is named in one line.
 conform 1 sign 'wrong +force at pull-off: the expected value times -1 \(a wrong sign\)'

@@ -45,6 +45,27 @@ cp ragged.csv before.csv
 expect 4 'pulloff: ragged.csv:*' seal $all ragged.csv
 check 'a table that is refused is unchanged' cmp ragged.csv before.csv
 check 'no other file is left' test -z "$(ls ./*.seal-* 2>/dev/null)"
+# Cells that are no numbers in a column of numbers were sealed, and found once a check read them.
+for row in 'tabor,force 1,nan:force is nan' 'tabor,force 1,two:force is two' 'tabor,force_nN 1,inf:force_nN is inf' \
+  'tabor,force,mass 1,2,3 2,3,nan:mass is nan' 'tabor,force,mass 1,2,x 2,3,4:mass is x' \
+  'tabor,force,force_uncertainty 1,2,-:force_uncertainty is -' 'kind,approach,load jump_in,1,text:load is text'; do
+  # shellcheck disable=SC2086
+  printf '%s\n' ${row%%:*} >numbers.csv
+  cp numbers.csv before.csv
+  # shellcheck disable=SC2086
+  expect 4 "pulloff: numbers.csv:*: ${row#*:}: expected a finite number" seal $all numbers.csv
+  check "$row: the table is unchanged" cmp numbers.csv before.csv
+done
+printf 'tabor,force\nsoft,1\n' >numbers.csv
+# shellcheck disable=SC2086
+expect 4 'pulloff: numbers.csv:*: tabor is soft: expected a finite number >= 0' seal $all numbers.csv
+printf 'tabor,outer_radius,kind,name,force,note_load\n1,inf,jump_in,a tip,1.67,inf\n2,7,jump_out,b,1.6,-\n' >numbers.csv
+# shellcheck disable=SC2086
+expect 0 '' seal $all numbers.csv
+for table in "$here"/../../reference/*.csv; do
+  cp "$table" numbers.csv
+  expect 0 '' seal numbers.csv
+done
 printf 'tabor,force\n1,1.67\n' >bare.csv
 cat >case.yaml <<'END'
 name: bare

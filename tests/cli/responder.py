@@ -174,7 +174,7 @@ def main():
     if mode == "always_crash":
         sys.exit(1)
     table = read_table(table)
-    with open(response, "a", encoding="utf-8") as stream:
+    with open(response, "a", encoding="utf-8-sig" if mode == "marked" else "utf-8") as stream:
         for k, point in enumerate(asked["points"]):
             for repeat in range(asked["repeats"]):
                 spoil(mode, stream, k, answer(mode, table, point) | {"repeat": repeat + 1})
