@@ -43,7 +43,9 @@ po_option_taker po_session_take_jobs, po_session_take_points, po_session_take_sh
 
 /* Of a verb that takes one case, and of one that takes all. */
 #define PO_SESSION_CASE_OPTIONS \
-  PO_SESSION_SOLVER_OPTIONS, PO_TAKEN("jobs", po_session, options.jobs, po_session_take_jobs), \
+  PO_SESSION_SOLVER_OPTIONS, \
+  {.name = "jobs", .kind = PO_OPTION_IS_TAKEN, .place = offsetof(po_session, options.jobs), \
+   .take = po_session_take_jobs, .letter = 'j'}, \
   PO_NUMBER("time-limit", po_session, time_limit, 0.0, "a finite number > 0"), PO_FLAG("fresh", po_session, options.fresh)
 #define PO_SESSION_OPTIONS \
   PO_SESSION_CASE_OPTIONS, PO_SESSION_SUITE, {.name = "points", .kind = PO_OPTION_IS_TAKEN, .take = po_session_take_points}
@@ -55,11 +57,12 @@ po_session po_session_default(void);
 /* The lines in the help of a verb: of --jobs; of --points; of --time-limit, --solver, --knob and
  * --fresh. */
 #define PO_SESSION_JOBS_HELP                                                                       \
-  "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"  \
+  "  -j, --jobs N      number of points solved in parallel; 0 means all cores (default 0); the\n"  \
   "                    results do not depend on it\n"
 #define PO_SESSION_POINTS_HELP                                                                     \
   "  --points A[-B][,C[-D]]...  solve only points A to B, C to D of each case, counted from 0\n"   \
-  "                    (default: all; at most 64 ranges); a later run of all points reuses them\n"
+  "                    (default: all; at most 64 ranges, with A at most B and less than the\n"     \
+  "                    number of points of the case); a later run of all points reuses them\n"
 #define PO_SESSION_SOLVE_HELP                                                                      \
   "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"      \
   "                    limit in the case file, if any)\n"                                          \

@@ -10,37 +10,84 @@
 
 enum { DONE = -1, BAD = -2, MOST_OPTIONS = 100 };
 
-/* Refuses an option that a table does not have. */
+/* What the program was given when getopt refused it: a letter of a group such as -xj2, or a word.
+ */
+static void write_given(const po_options *options, char given[PO_QUOTE_LENGTH]) {
+  if (optopt > ' ' && optopt < 127)
+    snprintf(given, PO_QUOTE_LENGTH, "-%c", optopt);
+  else
+    po_quote(options->argv[optind - 1], given);
+}
+
+/* Refuses an option that a table does not have, that has a value which it does not take, or that is
+ * the beginning of several. */
 static void refuse(const po_options *options, const struct option *table, const char *given) {
-  po_text names = {0};
-  for (; table->name; ++table)
+  po_text names = {0}, begun = {0};
+  const size_t length = strcspn(given, "=");
+  const struct option *exact = NULL;
+  for (; table->name; ++table) {
+    const bool begins = length > 2 && strncmp(table->name, given + 2, length - 2) == 0;
     po_text_add(&names, "--%s ", table->name);
-  const po_status status = po_fail(PO_BAD_INPUT, "unknown option %s of %s (see pulloff %s --help)",
-                                   given, options->verb, options->verb);
-  po_suggest(status, given, po_text_string(&names));
+    exact = begins && !table->name[length - 2] ? table : exact;
+    if (begins)
+      po_text_add(&begun, "%s--%s", begun.length ? ", " : "", table->name);
+  }
+  const bool one = begun.length && !strchr(po_text_string(&begun), ',');
+  if (exact || one)
+    po_fail(PO_BAD_INPUT, "%s of %s has a value: expected %s%s without one (see pulloff %s --help)",
+            given, options->verb, one ? "" : "--", one ? po_text_string(&begun) : exact->name,
+            options->verb);
+  else if (begun.length)
+    po_suggest(po_fail(PO_BAD_INPUT,
+                       "%s of %s is the beginning of several options: expected one of %s", given,
+                       options->verb, po_text_string(&begun)),
+               given, po_text_string(&names));
+  else
+    po_suggest(po_fail(PO_BAD_INPUT, "unknown option %s of %s (see pulloff %s --help)", given,
+                       options->verb, options->verb),
+               given, po_text_string(&names));
   po_text_clear(&names);
+  po_text_clear(&begun);
+}
+
+/* Appends the letters of the options to the argument of getopt: ":hj:". */
+static void make_letters(const po_options *options, char letters[2 * MOST_OPTIONS]) {
+  size_t length = (size_t)snprintf(letters, 2 * MOST_OPTIONS, ":h");
+  for (const po_option *row = options->options; row->name; ++row)
+    if (row->letter)
+      length += (size_t)snprintf(letters + length, 2 * MOST_OPTIONS - length, "%c%s", row->letter,
+                                 row->kind == PO_OPTION_IS_FLAG ? "" : ":");
+}
+
+/* The value in the table of getopt of an option that was given by its letter. */
+static int of_letter(const po_options *options, int letter) {
+  for (int k = 0; options->options[k].name; ++k)
+    if (options->options[k].letter == letter)
+      return PO_OPTION_ROWS + k;
+  return BAD;
 }
 
 /* The `val` of the next option; DONE if only operands are left; BAD, with the message of po_fail,
- * if the option is unknown or lacks its value. */
+ * if the option is unknown or lacks its value. Operands may come before options. */
 static int next(const po_options *options, const struct option *table) {
+  char letters[2 * MOST_OPTIONS], given[PO_QUOTE_LENGTH];
   opterr = 0;
-  int index = 0;
-  const int at = optind ? optind : 1;
-  const int found = getopt_long(options->argc, options->argv, ":h", table, &index);
-  const char *given = at < options->argc ? options->argv[optind > 1 ? optind - 1 : at] : "";
+  make_letters(options, letters);
+  const int found = getopt_long(options->argc, options->argv, letters, table, NULL);
   switch (found) {
   case ':':
+    write_given(options, given);
     po_fail(PO_BAD_INPUT, "the option %s of %s needs a value (see pulloff %s --help)", given,
             options->verb, options->verb);
     return BAD;
   case '?':
+    write_given(options, given);
     refuse(options, table, given);
     return BAD;
   case 'h':
     return PO_OPTION_HELP;
   default:
-    return found;
+    return found > 'A' && found <= 'z' ? of_letter(options, found) : found;
   }
 }
 
@@ -200,6 +247,7 @@ bool po_options_read(const po_options *options, void *line, po_status *status) {
   int option = 0;
   make_table(options, table);
   *status = PO_OK;
+  po_options_begin_messages(options->keys);
   while (!*status && (option = next(options, table)) != DONE) {
     if (option == PO_OPTION_HELP) {
       *status = print_help(options);
@@ -235,31 +283,6 @@ po_status po_options_take_text(const char *option, const char *expected, const c
   return *optarg || !expected ? PO_OK : po_options_refuse(option, optarg, expected);
 }
 
-static int exit_code(po_status status) {
-  switch (status) {
-  case PO_OK:
-    return PO_EXIT_OK;
-  case PO_BAD_INPUT:
-    return PO_EXIT_USAGE;
-  case PO_CANNOT_READ:
-  case PO_CANNOT_WRITE:
-  case PO_MISSING_TOOL:
-    return PO_EXIT_FILE;
-  case PO_INTERRUPTED:
-    return PO_EXIT_INTERRUPTED;
-  case PO_CHECK_FAILED:
-    return PO_EXIT_OUTSIDE;
-  default:
-    return PO_EXIT_SOLVE;
-  }
-}
-
-int po_options_end(po_status status) {
-  if (status)
-    fprintf(stderr, "pulloff: %s\n", *po_message() ? po_message() : po_status_text(status));
-  return exit_code(status);
-}
-
 /* -- The options that describe a scene -- */
 
 po_scene_options po_scene_options_begin(void) {
@@ -286,9 +309,10 @@ static po_status take_wave(po_scene_options *options) {
 po_status po_scene_options_take(void *to, int option) {
   po_scene_options *options = to;
   const int key = option - PO_OPTION_KEYS;
-  if (option == PO_OPTION_PHYSICAL)
+  if (option == PO_OPTION_PHYSICAL) {
     options->given.si = true;
-  else if (key == PO_KEY_WAVES)
+    po_options_message_in_si();
+  } else if (key == PO_KEY_WAVES)
     return take_wave(options);
   else if (key == PO_KEY_PROFILE_FILE)
     return po_options_take_text("profile-file", "the name of a file", &options->given.text[key]);

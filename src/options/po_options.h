@@ -39,6 +39,7 @@ typedef struct {
   const char *expected; /* of a text: NULL: it may be empty */
   double least;
   po_option_taker *take;
+  char letter; /* of its short form, such as 'j'; 0: none */
 } po_option;
 // clang-format off
 /* The place of a member, which must have the type of the option: another one does not compile. */
@@ -97,9 +98,15 @@ po_status po_options_refuse_stiffness(const char *option, void *line);
 /* Takes a path or names from optarg; refuses an empty text, if something is expected. */
 po_status po_options_take_text(const char *option, const char *expected, const char **text);
 
-/* Prints the message of a failed status as `pulloff: ...` on standard error. Returned: the exit
- * code of the status. */
+/* Prints the message of a failed status as `pulloff: ...` on standard error. If the verb takes the
+ * options of a scene, the message names these in place of keys. Returned: the exit code of the
+ * status. */
 int po_options_end(po_status status);
+
+/* The verb (PO_FOR_..., 0: it takes no scene) whose options the message names; its scene is in SI
+ * units. Called while the command line is read. */
+void po_options_begin_messages(unsigned verb);
+void po_options_message_in_si(void);
 
 /* Appends the names of the options of the keys that a series may vary, with commas between. */
 void po_options_add_varying(po_text *names);

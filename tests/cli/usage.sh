@@ -11,7 +11,7 @@ expect 0 '' --help
 cp "$work/stdout" "$work/help"
 expect 0 '' -h
 check '-h prints the same help' cmp -s "$work/stdout" "$work/help"
-for verb in solve follow theory plot list plan run merge verify explain bless conform seal report; do
+for verb in solve compare follow theory plot list plan run merge verify explain bless conform seal report; do
   expect 0 '' "$verb" -h
   cp "$work/stdout" "$work/help"
   expect 0 '' "$verb" --help
@@ -19,7 +19,29 @@ for verb in solve follow theory plot list plan run merge verify explain bless co
   check "help of $verb has an example" grep -q "^Example: pulloff $verb" "$work/stdout"
   expect 2 "pulloff: unknown option --frobnicate of $verb (see pulloff $verb --help)" \
     "$verb" --frobnicate
+  # Operands before options, letters with a value attached, values of options that take none, and beginnings of several
+  # options: "run smoke -j2" ended with "unknown option smoke".
+  expect 2 "pulloff: unknown option --frobnicate=3 of $verb (see pulloff $verb --help)" "$verb" word other --frobnicate=3
+  for given in '-q' '-q2' 'word -q2' 'word -q 2' '-q2 word' 'word other -qx'; do
+    # shellcheck disable=SC2086
+    expect 2 "pulloff: unknown option -q of $verb (see pulloff $verb --help)" "$verb" $given
+  done
+  expect 2 "pulloff: --help=3 of $verb has a value: expected --help without one (see pulloff $verb --help)" \
+    "$verb" word --help=3
+  expect 0 '' "$verb" word -h
+  check "help of $verb after an operand" cmp -s "$work/stdout" "$work/help"
 done
+for verb in run verify explain bless; do
+  for given in '-jx word' '-j x word' 'word -jx' 'word --jobs=x' 'word --job x'; do
+    # shellcheck disable=SC2086
+    expect 2 'pulloff: --jobs is x: expected a whole number, 0 for all cores' "$verb" $given
+  done
+  expect 2 "pulloff: the option -j of $verb needs a value (see pulloff $verb --help)" "$verb" word -j
+  [ "$verb" = bless ] || expect 2 'pulloff: no case is named word: *' "$verb" word -j2
+done
+expect 2 'pulloff: unknown option -j of list (see pulloff list --help)' list word -j2
+expect 2 'pulloff: --out of solve is the beginning of several options: expected one of --outer-radius, --outer-radius-m*' \
+  solve --out 3
 
 # A word that is close to a known one: the message ends with the known one.
 for slip in 'slove;solve' 'solve --amplitud 3;--amplitude' 'solve --outer_radius 3;--outer-radius' 'solve --pre 3;--preload' \
@@ -51,14 +73,14 @@ expect 2 'pulloff: --grading is graded: expected it with the scheme ring or tria
   solve --grading graded
 expect 2 'pulloff: --tolerance is 1e-5: expected it with the scheme panel, not ring' \
   solve --tolerance 1e-5 --scheme ring
-expect 2 'pulloff: tolerance is 1e-11: expected 1e-10 to 0.01' solve --tolerance 1e-11
-expect 2 'pulloff: tolerance is 0.02: expected 1e-10 to 0.01' solve --tolerance 0.02
-expect 2 'pulloff: nodes is 7: expected 8 to 2500' solve --scheme ring --nodes 7
-expect 2 'pulloff: nodes is 2501: expected 8 to 2500' solve --scheme triangle --nodes 2501
+expect 2 'pulloff: --tolerance is 1e-11: expected 1e-10 to 0.01' solve --tolerance 1e-11
+expect 2 'pulloff: --tolerance is 0.02: expected 1e-10 to 0.01' solve --tolerance 0.02
+expect 2 'pulloff: --nodes is 7: expected 8 to 2500' solve --scheme ring --nodes 7
+expect 2 'pulloff: --nodes is 2501: expected 8 to 2500' solve --scheme triangle --nodes 2501
 expect 2 'pulloff: --want is sugar: expected any of curve, profile, hysteresis*' solve --want sugar
 expect 2 'pulloff: --want is curve,: expected any of curve, profile, hysteresis*' solve --want curve,
 expect 2 'pulloff: --wavelength is missing: expected it beside --amplitude' solve --amplitude 1
-expect 2 'pulloff: *approach_end*' solve --approach-start 1 --approach-end 0
+expect 2 'pulloff: *--approach-end*' solve --approach-start 1 --approach-end 0
 expect 2 'pulloff: unexpected argument leftover of solve (see pulloff solve --help)' solve --tabor 0 leftover
 expect 2 'pulloff: plan needs the name of a case*' plan
 expect 2 'pulloff: --jobs is -1: expected a whole number, 0 for all cores' run --jobs -1
