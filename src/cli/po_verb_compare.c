@@ -98,7 +98,11 @@ static void print_row(const po_theory_row *row, const po_si_unit *force) {
 /* Prints the table of the theories and their sources. Given: the units for a column in N, or NULL.
  */
 static void print_theories(const po_result *result, const po_units *units) {
-  const po_si_unit unit = units ? po_si_prefixed(units, PO_DIMENSION_LOAD) : (po_si_unit){0};
+  double greatest = 0;
+  for (size_t k = 0; k < result->theory_count; ++k)
+    po_si_take(&greatest, result->theories[k].force);
+  const po_si_unit unit =
+      units ? po_si_readable(units, PO_DIMENSION_LOAD, greatest) : (po_si_unit){0};
   char head[32] = "";
   if (units)
     snprintf(head, sizeof head, "%*s%s ", 12 - (int)strlen(unit.name), "force/", unit.text);

@@ -7,6 +7,7 @@
 #include "po_json_digest.h"
 #include "po_options.h"
 #include "po_print.h"
+#include "po_si.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -172,6 +173,20 @@ static void print_number(const char *key, double value, const char *unit) {
     printf("%-34s -\n", key);
 }
 
+/* A value in SI units, with a prefix; J/m^2 has none. */
+static void print_readable(const po_form_value *item, double value, const char *unit) {
+  static const po_dimension DIMENSIONS[] = {[PO_FORM_LENGTH] = PO_DIMENSION_LENGTH,
+                                            [PO_FORM_FORCE] = PO_DIMENSION_LOAD,
+                                            [PO_FORM_TENSION] = PO_DIMENSION_TRACTION};
+  static const po_units SI = {.length = 1, .force = 1, .tension = 1, .traction = 1};
+  if (item->unit == PO_FORM_WORK) {
+    print_number(item->name, value, unit);
+    return;
+  }
+  const po_si_unit readable = po_si_readable(&SI, DIMENSIONS[item->unit], value);
+  print_number(item->name, value * readable.factor, readable.text);
+}
+
 static po_status print_text(const po_theory_line *l, const char *name,
                             const po_form_values *values) {
   double value;
@@ -183,7 +198,7 @@ static po_status print_text(const po_theory_line *l, const char *name,
     print_number(values->items[i].name, values->items[i].value, "");
   for (size_t i = 0; i < values->count; ++i)
     if (in_si(l, &values->items[i], &value, key, &unit))
-      print_number(key, value, unit);
+      print_readable(&values->items[i], value, unit);
   return po_print_digest(document_of(name, values));
 }
 

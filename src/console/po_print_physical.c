@@ -72,11 +72,45 @@ void po_print_physical_input(const po_given *given) {
   printf("\n");
 }
 
-static void print_special_points(double length, double force, const po_special_point *list,
+/* The greatest numbers of the special points, or of a pull-off, and their units. */
+typedef struct {
+  double approach, load, radius;
+} greatest;
+typedef struct {
+  po_si_unit approach, load, radius;
+} units_of_point;
+
+static void take(greatest *g, double approach, double load, double radius) {
+  po_si_take(&g->approach, approach);
+  po_si_take(&g->load, load);
+  po_si_take(&g->radius, radius);
+}
+
+static units_of_point units_for(const po_units *units, const greatest *g) {
+  return (units_of_point){.approach = po_si_readable(units, PO_DIMENSION_LENGTH, g->approach),
+                          .load = po_si_readable(units, PO_DIMENSION_LOAD, g->load),
+                          .radius = po_si_readable(units, PO_DIMENSION_LENGTH, g->radius)};
+}
+
+static void print_special_points(const units_of_point *u, const po_special_point *list,
                                  size_t count) {
   for (size_t i = 0; i < count; ++i)
     printf("%-9s %16.10g %16.10g %17.6g\n", PO_SPECIAL_KINDS[list[i].kind],
-           list[i].approach * length, list[i].load * force, list[i].contact_radius * length);
+           list[i].approach * u->approach.factor, list[i].load * u->load.factor,
+           list[i].contact_radius * u->radius.factor);
+}
+
+static void print_table(const po_units *units, const po_result *o) {
+  greatest g = {0};
+  for (size_t i = 0; i < o->fold_count + o->extremum_count; ++i) {
+    const po_special_point *p = i < o->fold_count ? &o->folds[i] : &o->extrema[i - o->fold_count];
+    take(&g, p->approach, p->load, p->contact_radius);
+  }
+  const units_of_point u = units_for(units, &g);
+  printf("%-9s %13s/%s %13s/%s %14s/%s\n", "point", "approach", u.approach.text, "load",
+         u.load.text, "contact radius", u.radius.text);
+  print_special_points(&u, o->folds, o->fold_count);
+  print_special_points(&u, o->extrema, o->extremum_count);
 }
 
 double po_print_percent(double change) {
@@ -100,10 +134,15 @@ static void print_sensitivity(const po_request *request, const po_result *o) {
 }
 
 /* Which preloads give the pull-off, with the loads of a test at these approaches. */
-static void print_preload(const po_si_unit *length, const po_si_unit *force, const po_result *o) {
+static void print_preload(const po_units *units, const po_result *o) {
   const po_preload *from = &o->pull_off.pressed, *until = &o->pull_off.until;
   if (!o->has_pull_off || o->status || isnan(from->approach))
     return;
+  greatest g = {0};
+  take(&g, from->approach, from->load, 0);
+  take(&g, until->approach, until->load, 0);
+  const units_of_point u = units_for(units, &g);
+  const po_si_unit *length = &u.approach, *force = &u.load;
   printf("preload  loading to approach %.6g %s, load %.6g %s,", from->approach * length->factor,
          length->text, from->load * force->factor, force->text);
   if (isnan(until->approach))
@@ -146,25 +185,22 @@ void po_print_uncertain(const po_result *result, double unit, const char *name) 
 }
 
 void po_print_physical(const po_given *given, const po_request *request, const po_result *o) {
-  const po_si_unit length = po_si_prefixed(&request->units, PO_DIMENSION_LENGTH);
-  const po_si_unit force = po_si_prefixed(&request->units, PO_DIMENSION_LOAD);
-  const double l = length.factor, f = force.factor;
+  greatest g = {0};
+  take(&g, o->pull_off.approach, o->pull_off.force, o->pull_off.contact_radius);
+  const units_of_point u = units_for(&request->units, &g);
   po_print_physical_input(given);
   if (o->has_pull_off)
     printf("pull-off force %.10g %s at approach %.10g %s, contact radius %.8g %s\n",
-           o->pull_off.force * f, force.text, o->pull_off.approach * l, length.text,
-           o->pull_off.contact_radius * l, length.text);
+           o->pull_off.force * u.load.factor, u.load.text, o->pull_off.approach * u.approach.factor,
+           u.approach.text, o->pull_off.contact_radius * u.radius.factor, u.radius.text);
   if (o->has_pull_off && isfinite(o->pull_off.force_error))
     printf("errors   force %.1e %s, approach %.1e %s, contact radius %.1e %s\n",
-           o->pull_off.force_error * f, force.text, o->pull_off.approach_error * l, length.text,
-           o->pull_off.contact_radius_error * l, length.text);
-  po_print_uncertain(o, f, force.text);
+           o->pull_off.force_error * u.load.factor, u.load.text,
+           o->pull_off.approach_error * u.approach.factor, u.approach.text,
+           o->pull_off.contact_radius_error * u.radius.factor, u.radius.text);
+  po_print_uncertain(o, u.load.factor, u.load.text);
   print_sensitivity(request, o);
-  print_preload(&length, &force, o);
-  if (o->fold_count + o->extremum_count) {
-    printf("%-9s %13s/%s %13s/%s %14s/%s\n", "point", "approach", length.text, "load", force.text,
-           "contact radius", length.text);
-    print_special_points(l, f, o->folds, o->fold_count);
-    print_special_points(l, f, o->extrema, o->extremum_count);
-  }
+  print_preload(&request->units, o);
+  if (o->fold_count + o->extremum_count)
+    print_table(&request->units, o);
 }

@@ -20,37 +20,74 @@ static po_units shown_units(const po_request *request) {
   return request->in_si ? request->units : (po_units){.length = 1, .force = 1};
 }
 
-/* The same to the units that are printed, which have the prefixes of the first scene. */
-static po_units printed_units(const po_printed_series *series, size_t k) {
-  po_units u = shown_units(&series->requests[k]);
-  if (is_physical(series)) {
-    const po_units *first = &series->requests[0].units;
-    u.length *= po_si_prefixed(first, PO_DIMENSION_LENGTH).factor / first->length;
-    u.force *= po_si_prefixed(first, PO_DIMENSION_LOAD).factor / first->force;
-  }
-  return u;
+/* The units in which the numbers of all scenes are printed. */
+typedef struct {
+  po_si_unit approach, load, radius;
+} printed;
+
+static void take(double greatest[3], const po_units *unit, double approach, double load,
+                 double radius) {
+  po_si_take(&greatest[0], approach * unit->length);
+  po_si_take(&greatest[1], load * unit->force);
+  po_si_take(&greatest[2], radius * unit->length);
 }
 
-static void print_units(const po_printed_series *series) {
-  if (is_physical(series))
-    printf("units    lengths in %s, loads and forces in %s\n",
-           po_si_prefixed(&series->requests[0].units, PO_DIMENSION_LENGTH).text,
-           po_si_prefixed(&series->requests[0].units, PO_DIMENSION_LOAD).text);
+static printed units_of(const po_printed_series *series, bool folds) {
+  double greatest[3] = {0}; /* in SI units */
+  const po_units *first = &series->requests[0].units;
+  if (!is_physical(series))
+    return (printed){0};
+  for (size_t k = 0; k < series->count; ++k) {
+    const po_result *result = &series->results[k];
+    const po_units unit = shown_units(&series->requests[k]);
+    if (!folds && result->has_pull_off)
+      take(greatest, &unit, result->pull_off.approach, result->pull_off.force,
+           result->pull_off.contact_radius);
+    for (size_t i = 0; folds && i < result->fold_count; ++i)
+      take(greatest, &unit, result->folds[i].approach, result->folds[i].load,
+           result->folds[i].contact_radius);
+  }
+  return (printed){po_si_readable(first, PO_DIMENSION_LENGTH, greatest[0] / first->length),
+                   po_si_readable(first, PO_DIMENSION_LOAD, greatest[1] / first->force),
+                   po_si_readable(first, PO_DIMENSION_LENGTH, greatest[2] / first->length)};
+}
+
+/* The factors of the numbers of a scene. */
+typedef struct {
+  double approach, load, radius;
+} factors;
+
+static factors factors_of(const po_printed_series *series, const printed *p, size_t k) {
+  const po_units u = shown_units(&series->requests[k]), *first = &series->requests[0].units;
+  if (!is_physical(series))
+    return (factors){1.0, 1.0, 1.0};
+  return (factors){u.length * (p->approach.factor / first->length),
+                   u.force * (p->load.factor / first->force),
+                   u.length * (p->radius.factor / first->length)};
+}
+
+static void print_units(const po_printed_series *series, const printed *p) {
+  if (is_physical(series) && strcmp(p->approach.text, p->radius.text) != 0)
+    printf("units    approaches in %s, contact radii in %s, loads and forces in %s\n",
+           p->approach.text, p->radius.text, p->load.text);
+  else if (is_physical(series))
+    printf("units    lengths in %s, loads and forces in %s\n", p->approach.text, p->load.text);
   else
     printf("units    lengths in epsilon, loads and forces in %s\n",
            po_input_load_unit(&series->requests[0]));
 }
 
-static void print_row(const po_printed_series *series, size_t k) {
+static void print_row(const po_printed_series *series, const printed *p, size_t k) {
   const po_result *result = &series->results[k];
-  const po_units unit = printed_units(series, k);
+  const factors unit = factors_of(series, p, k);
   const char *numbers = is_physical(series) ? "%14.10g %8.1e %16.10g %8.1e %14.6g "
                                             : "%14.9f %8.1e %16.9f %8.1e %14.6g ";
   printf("%15g ", series->values[k]);
   if (result->has_pull_off)
-    printf(numbers, result->pull_off.force * unit.force, result->pull_off.force_error * unit.force,
-           result->pull_off.approach * unit.length, result->pull_off.approach_error * unit.length,
-           result->pull_off.contact_radius * unit.length);
+    printf(numbers, result->pull_off.force * unit.load, result->pull_off.force_error * unit.load,
+           result->pull_off.approach * unit.approach,
+           result->pull_off.approach_error * unit.approach,
+           result->pull_off.contact_radius * unit.radius);
   printf("%-9s %14llu\n",
          result->status     ? po_status_name(result->status)
          : result->followed ? "followed"
@@ -82,12 +119,13 @@ static json_t *document_of(const po_printed_series *series) {
 }
 
 static po_status print_rows(const po_printed_series *series) {
-  print_units(series);
+  const printed p = units_of(series, false);
+  print_units(series, &p);
   printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", series->name, "force", "error", "approach",
          "error", "contact radius", "obtained", "factorisations");
   size_t followed = 0;
   for (size_t k = 0; k < series->count; ++k) {
-    print_row(series, k);
+    print_row(series, &p, k);
     followed += series->results[k].followed;
   }
   printf("work     %llu factorisations for %zu scenes, %zu of them followed\n",
@@ -96,19 +134,19 @@ static po_status print_rows(const po_printed_series *series) {
 }
 
 /* Prints the rows of one fold, up to that in which it has ended. */
-static void print_fold(const po_printed_series *series, size_t index) {
+static void print_fold(const po_printed_series *series, const printed *p, size_t index) {
   const char *numbers = is_physical(series) ? "%16.10g %8.1e %14.10g %8.1e %14.6g\n"
                                             : "%16.10f %8.1e %14.10f %8.1e %14.6g\n";
   bool there = true;
   for (size_t k = 0; k < series->count && there; ++k) {
     const po_special_point *fold = &series->results[k].folds[index];
-    const po_units unit = printed_units(series, k);
+    const factors unit = factors_of(series, p, k);
     there = !isnan(fold->approach);
     printf("%-9s %15g ", PO_SPECIAL_KINDS[fold->kind], series->values[k]);
     if (there)
-      printf(numbers, fold->approach * unit.length, fold->approach_error * unit.length,
-             fold->load * unit.force, fold->load_error * unit.force,
-             fold->contact_radius * unit.length);
+      printf(numbers, fold->approach * unit.approach, fold->approach_error * unit.approach,
+             fold->load * unit.load, fold->load_error * unit.load,
+             fold->contact_radius * unit.radius);
     else
       printf("%16s\n", "ended");
   }
@@ -116,11 +154,12 @@ static void print_fold(const po_printed_series *series, size_t index) {
 
 static po_status print_folds(const po_printed_series *series) {
   const size_t folds = series->results[0].fold_count;
-  print_units(series);
+  const printed p = units_of(series, true);
+  print_units(series, &p);
   printf("%-9s %15s %16s %8s %14s %8s %14s\n", "fold", series->name, "approach", "error", "load",
          "error", "contact radius");
   for (size_t index = 0; index < folds; ++index)
-    print_fold(series, index);
+    print_fold(series, &p, index);
   printf("work     %llu factorisations for %zu folds of %zu scenes\n", factorizations(series),
          folds, series->count);
   return po_print_digest(document_of(series));

@@ -14,25 +14,65 @@ typedef struct {
   char words[48]; /* all of them */
 } units;
 
-static units units_of(const po_request *request) {
+/* The greatest numbers that are printed with these units. */
+typedef struct {
+  double length, load, energy, stiffness;
+} greatest;
+
+static units units_of(const po_request *request, const greatest *g) {
   units u = {.length = 1, .load = 1, .energy = 1, .stiffness = 1};
   const struct {
     po_dimension dimension;
-    double *factor;
+    double greatest, *factor;
     char *text;
-  } items[] = {{PO_DIMENSION_LENGTH, &u.length, u.of_length},
-               {PO_DIMENSION_LOAD, &u.load, u.of_load},
-               {PO_DIMENSION_ENERGY, &u.energy, u.of_energy},
-               {PO_DIMENSION_STIFFNESS, &u.stiffness, u.of_stiffness}};
+  } items[] = {{PO_DIMENSION_LENGTH, g->length, &u.length, u.of_length},
+               {PO_DIMENSION_LOAD, g->load, &u.load, u.of_load},
+               {PO_DIMENSION_ENERGY, g->energy, &u.energy, u.of_energy},
+               {PO_DIMENSION_STIFFNESS, g->stiffness, &u.stiffness, u.of_stiffness}};
   if (!request->in_si)
     return u;
   for (size_t i = 0; i < sizeof items / sizeof *items; ++i) {
-    const po_si_unit unit = po_si_prefixed(&request->units, items[i].dimension);
+    const po_si_unit unit = po_si_readable(&request->units, items[i].dimension, items[i].greatest);
     *items[i].factor = unit.factor;
     snprintf(items[i].text, sizeof u.of_load, " %s", unit.text);
   }
   snprintf(u.words, sizeof u.words, ", in%s,%s and%s", u.of_length, u.of_load, u.of_energy);
   return u;
+}
+
+static void take(greatest *g, const po_path_state *state) {
+  po_si_take(&g->length, state->approach);
+  po_si_take(&g->load, state->load);
+}
+
+static greatest greatest_of_control(po_control control) {
+  return (greatest){.stiffness = po_is_spring(control) ? control : 0.0};
+}
+
+static greatest greatest_of_staircase(const po_staircase *s) {
+  greatest g = greatest_of_control(s->control);
+  for (size_t k = 0; k < s->count; ++k) {
+    const po_step *step = &s->step[k];
+    take(&g, &step->preload);
+    take(&g, &step->pull_off);
+    if (!step->open)
+      take(&g, &step->until);
+    po_si_take(&g.energy, step->cycle[0].loss.energy);
+  }
+  return g;
+}
+
+static greatest greatest_of_loop(const po_loop *loop) {
+  greatest g = greatest_of_control(loop->control);
+  take(&g, &loop->preload);
+  take(&g, &loop->pull_off);
+  po_si_take(&g.energy, loop->energy_lost);
+  for (size_t k = 0; k < loop->jump_count; ++k) {
+    take(&g, &loop->jumps[k].before);
+    take(&g, &loop->jumps[k].after);
+    po_si_take(&g.energy, loop->jumps[k].energy_lost);
+  }
+  return g;
 }
 
 const char *po_print_error(double error, char text[16]) {
@@ -48,7 +88,9 @@ static const char *held_of(po_control control, const units *u, char held[64]) {
   return held;
 }
 
-static void print_staircase(const char *theory, const po_staircase *s, const units *u) {
+static void print_staircase(const char *theory, const po_staircase *s, const po_request *request) {
+  const greatest g = greatest_of_staircase(s);
+  const units of_table = units_of(request, &g), *u = &of_table;
   char held[64];
   printf("%s%s: pull-off force against preload%s\n%14s %14s %-9s %14s %16s %8s %16s %14s %8s\n",
          theory, held_of(s->control, u, held), u->words, "from approach", "load", "begins at",
@@ -75,17 +117,19 @@ static void print_staircase(const char *theory, const po_staircase *s, const uni
 
 /* The staircases of the solve, and those of the JKR theory if the scene has one: Eq 5 for the
  * scenes of the paper, the Abel transform of the profile for others. */
-static void print_staircases(const po_scene *scene, const po_result *o, const units *u) {
-  const char *jkr = po_scene_is_of_paper(scene) ? "JKR theory (Eq 5), " : "JKR theory, ";
+static void print_staircases(const po_request *request, const po_result *o) {
+  const char *jkr = po_scene_is_of_paper(&request->scene) ? "JKR theory (Eq 5), " : "JKR theory, ";
   for (int k = 0; k < 2 + o->staircase.has_spring; ++k)
-    print_staircase("", &o->staircase.of[k], u);
+    print_staircase("", &o->staircase.of[k], request);
   for (int k = 0; o->theory.has_staircases && k < 2 + o->theory.staircase.has_spring; ++k)
-    print_staircase(jkr, &o->theory.staircase.of[k], u);
+    print_staircase(jkr, &o->theory.staircase.of[k], request);
 }
 
 /* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
  * jump. */
-static void print_loop(const po_loop *loop, const units *u) {
+static void print_loop(const po_loop *loop, const po_request *request) {
+  const greatest g = greatest_of_loop(loop);
+  const units of_loop = units_of(request, &g), *u = &of_loop;
   const bool spring = po_is_spring(loop->control);
   char error[16], held[64];
   const double length = u->length, load = u->load;
@@ -122,7 +166,13 @@ static void print_loop(const po_loop *loop, const units *u) {
 
 /* The results of --want that are too long for the terminal: their size, and which option writes
  * them. */
-static void print_wanted(const po_request *request, const po_result *o, const units *u) {
+static void print_wanted(const po_request *request, const po_result *o) {
+  greatest of_approach = {0}, of_annuli = {0};
+  po_si_take(&of_approach.length,
+             o->profile_count ? o->profile_approach : request->profile_approach);
+  for (size_t k = 0; k < o->annuli.held_count; ++k)
+    po_si_take(&of_annuli.length, o->annuli.held[k].outer);
+  const units at = units_of(request, &of_approach), annuli = units_of(request, &of_annuli);
   if (request->want & PO_WANT_CURVE)
     printf("curve    %zu points; --curve FILE or --json writes them\n", o->curve_count);
   if (!(request->want & PO_WANT_PROFILE))
@@ -130,23 +180,22 @@ static void print_wanted(const po_request *request, const po_result *o, const un
   if (o->profile_count == 0) {
     if (isfinite(request->profile_approach))
       printf("profile  none: the trace does not pass approach %.8g%s, see --approach-end\n",
-             request->profile_approach * u->length, u->of_length);
+             request->profile_approach * at.length, at.of_length);
     return;
   }
   printf("profile  %zu radii at approach %.8g%s; --profile FILE or --json writes them\n",
-         o->profile_count, o->profile_approach * u->length, u->of_length);
+         o->profile_count, o->profile_approach * at.length, at.of_length);
   printf("annuli   in contact: ");
   for (size_t k = 0; k < o->annuli.held_count; ++k)
-    printf("%s%.6g to %.6g%s", k ? ", " : "", o->annuli.held[k].inner * u->length,
-           o->annuli.held[k].outer * u->length, u->of_length);
+    printf("%s%.6g to %.6g%s", k ? ", " : "", o->annuli.held[k].inner * annuli.length,
+           o->annuli.held[k].outer * annuli.length, annuli.of_length);
   printf("%s\n", o->annuli.held_count ? "" : "none");
 }
 
 void po_print_test(const po_request *request, const po_result *result) {
-  const units u = units_of(request);
   for (int k = 0; result->has_hysteresis && k < 2 + result->hysteresis.has_spring; ++k)
-    print_loop(&result->hysteresis.of[k], &u);
+    print_loop(&result->hysteresis.of[k], request);
   if (result->has_staircases)
-    print_staircases(&request->scene, result, &u);
-  print_wanted(request, result, &u);
+    print_staircases(request, result);
+  print_wanted(request, result);
 }

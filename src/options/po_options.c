@@ -321,11 +321,39 @@ po_status po_scene_options_take(void *to, int option) {
   return PO_OK;
 }
 
+/* Remarks inputs in SI units that are likely slips of a unit: outside what matter and machines
+ * have. Distances go from a tenth of an atom to long-ranged forces, radii from the sharpest tips to
+ * lenses of large mirrors, moduli from soft gels to twice diamond, works from forces that are
+ * screened in a liquid to twice the strongest solids. */
+static void remark_units(const po_given *given) {
+  static const struct {
+    po_key key;
+    double least, most;
+    const char *unit;
+  } USUAL[] = {{PO_KEY_DISTANCE_M, 1e-11, 1e-7, "m"}, {PO_KEY_RADIUS_M, 1e-10, 100, "m"},
+               {PO_KEY_MODULUS_PA, 1, 2.5e12, "Pa"},  {PO_KEY_WORK_J_PER_M2, 1e-8, 20, "J/m^2"},
+               {PO_KEY_AMPLITUDE_M, 1e-12, 1, "m"},   {PO_KEY_WAVELENGTH_M, 1e-11, 100, "m"}};
+  for (size_t i = 0; i < sizeof USUAL / sizeof *USUAL; ++i) {
+    const char *text = given->text[USUAL[i].key];
+    double value = 0;
+    if (!text || !po_number_parse(text, &value) || !(value > 0.0) ||
+        (value >= USUAL[i].least && value <= USUAL[i].most))
+      continue;
+    char name[PO_KEY_NAME_LENGTH];
+    po_given_name(given, USUAL[i].key, name);
+    fprintf(stderr,
+            "pulloff: warning: %s is %g %s, which looks like another unit: usual are %g to %g %s\n",
+            name, value, USUAL[i].unit, USUAL[i].least, USUAL[i].most, USUAL[i].unit);
+  }
+}
+
 void po_scene_options_warn(const po_given *given) {
   /* Much less than an atom, for a radius; still less for the waves, which may be extreme. */
   const double least_radius = 1e-2, least_wave = 1e-6;
-  if (given->si)
+  if (given->si) {
+    remark_units(given);
     return;
+  }
   const double amplitude = po_given_number(given, PO_KEY_AMPLITUDE, NULL);
   const double wavelength = po_given_number(given, PO_KEY_WAVELENGTH, NULL);
   const double radius = po_given_number(given, PO_KEY_RADIUS, NULL);

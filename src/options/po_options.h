@@ -135,7 +135,8 @@ po_scene_options po_scene_options_begin(void);
  * PO_OPTION_PHYSICAL, or PO_OPTION_KEYS and a key. Status: PO_BAD_INPUT. */
 po_status po_scene_options_take(void *options, int option);
 
-/* Warns, on standard error, of lengths in epsilon that only make sense as metres. */
+/* Warns, on standard error, of lengths in epsilon that only make sense as metres, and of inputs in
+ * SI units that only make sense in another unit. */
 void po_scene_options_warn(const po_given *given);
 
 #endif

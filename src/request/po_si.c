@@ -75,18 +75,38 @@ po_si_unit po_si_unit_of(const po_units *units, po_dimension dimension) {
   return unit;
 }
 
+/* The greatest prefix with which a size is at least `least`; the smallest one of smaller sizes. */
+static const prefix *prefix_of(po_dimension dimension, double size, double least) {
+  const prefix *with = *BASE[dimension].text ? PREFIXES : &NONE;
+  for (int k = 0; k < PREFIX_COUNT && with != &NONE; ++k)
+    if (size >= least * thousands(PREFIXES[k].thousands))
+      with = &PREFIXES[k];
+  return with;
+}
+
 po_si_unit po_si_prefixed(const po_units *units, po_dimension dimension) {
   const double tabor = units->tension / units->traction; /* 0 for a rigid scene */
   const double length =
       units->usual_length > 0 ? units->usual_length : units->length * fmax(1.0, tabor);
   const double force = units->usual_force > 0 ? units->usual_force : units->force;
   const double size = size_of(dimension, length, force, units->tension);
-  const double least = is_length(dimension) ? 0.1 : 1.0;
-  const prefix *with = *BASE[dimension].text ? PREFIXES : &NONE;
-  for (int k = 0; k < PREFIX_COUNT && with != &NONE; ++k)
-    if (size >= least * thousands(PREFIXES[k].thousands))
-      with = &PREFIXES[k];
-  return unit_with(units, dimension, with);
+  return unit_with(units, dimension, prefix_of(dimension, size, is_length(dimension) ? 0.1 : 1.0));
+}
+
+po_si_unit po_si_readable(const po_units *units, po_dimension dimension, double greatest) {
+  const po_si_unit usual = po_si_prefixed(units, dimension);
+  const double shown = fabs(greatest) * usual.factor,
+               size = fabs(greatest) *
+                      size_of(dimension, units->length, units->force, units->traction);
+  const bool is_readable = shown >= 0.1 && shown < 1000.0;
+  return is_readable || !(shown > 0.0 && isfinite(size))
+             ? usual
+             : unit_with(units, dimension, prefix_of(dimension, size, 1.0));
+}
+
+void po_si_take(double *greatest, double number) {
+  if (isfinite(number))
+    *greatest = fmax(*greatest, fabs(number));
 }
 
 double po_si_value(const po_si_unit *unit, double number) {

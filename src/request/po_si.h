@@ -21,12 +21,20 @@ typedef struct {
  * documents: "n_per_m". The factor of the traction of a rigid scene is INFINITY. */
 po_si_unit po_si_unit_of(const po_units *units, po_dimension dimension);
 
-/* The unit with the prefix for tables, figures and the terminal. It depends on the scene alone, so
+/* The unit with the prefix for files and figures. It depends on the scene alone, so
  * that all numbers of a dimension, in all tables of a scene, have the same one: the size of
  * pi w R (the usual force of other profiles), of epsilon max(1, mu), or of what follows from them,
  * lies between 1 and 1000, that of lengths between 0.1 and 100, because contact radii are greater.
  */
 po_si_unit po_si_prefixed(const po_units *units, po_dimension dimension);
+
+/* The unit with the prefix for numbers of one kind on the terminal. Given: `greatest`, the greatest
+ * magnitude among them. It is that of the scene if the greatest number then is from 0.1 to 1000, or
+ * if it is 0 or not finite; else that with which it is from 1 to 1000. */
+po_si_unit po_si_readable(const po_units *units, po_dimension dimension, double greatest);
+
+/* Takes the magnitude of a number into account, unless it is not finite. */
+void po_si_take(double *greatest, double number);
 
 /* Returned: the value of a dimensionless number in a unit. */
 double po_si_value(const po_si_unit *unit, double number);

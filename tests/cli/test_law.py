@@ -7,12 +7,12 @@ from conftest import agree, document, expect
 
 @pytest.mark.parametrize("message, words", [
     ("--law is mie:9: expected lennard-jones or mie:m,n or morse:a", "solve --law mie:9"),
-    ("mie_n is 3: expected a number > mie_m, 9, and at most 60", "solve --law mie:9,3"),
-    ("mie_m is not given: expected it with the law mie", "solve --law mie --mie-n 9"),
-    ("mie_n is not given: expected it with the law mie", "solve --law mie --mie-m 4"),
-    ("morse_a is not given: expected it with the law morse", "solve --law morse"),
-    ("morse_a is 60: expected a number from 0.05 to 50", "solve --law morse:60"),
-    ("mie_m is 1.5: *unbounded surface*expected more than 2, or an outer radius", "solve --law mie:1.5,9"),
+    ("--mie-n is 3: expected a number > --mie-m, 9, and at most 60", "solve --law mie:9,3"),
+    ("--mie-m is not given: expected it with the law mie", "solve --law mie --mie-n 9"),
+    ("--mie-n is not given: expected it with the law mie", "solve --law mie --mie-m 4"),
+    ("--morse-a is not given: expected it with the law morse", "solve --law morse"),
+    ("--morse-a is 60: expected a number from 0.05 to 50", "solve --law morse:60"),
+    ("--mie-m is 1.5: *unbounded surface*expected more than 2, or an outer radius", "solve --law mie:1.5,9"),
     ("--morse-a is 3: expected it with the law morse, not mie", "solve --law mie:4,10 --morse-a 3"),
     ("--mie-m is 3: expected it with the law mie, not lennard-jones", "solve --mie-m 3"),
     ("--key is law: *", "follow --key law --from 1 --to 2"),

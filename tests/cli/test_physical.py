@@ -170,7 +170,7 @@ def test_closed_forms(key, value, words):
 
 
 def test_the_printed_closed_form_has_units():
-    assert expect(0, "", "theory guduru --amplitude-m 1e-10 --wavelength-m 5e-9" + BODY).count(r"^pull_off_force_n +[0-9.e-]* N$")
+    assert expect(0, "", "theory guduru --amplitude-m 1e-10 --wavelength-m 5e-9" + BODY).count(r"^pull_off_force +[0-9.]* nN$")
 
 
 @pytest.mark.parametrize("verb", ["solve", "theory jkr"])
@@ -247,3 +247,26 @@ def test_the_changes_that_1_percent_of_each_input_makes(options, line, names, fo
 def test_scenes_without_such_changes():
     assert stated({"tabor": 0.0}) == stated({"tabor": 1.0, "scheme": "ring"}) == []
     assert abs(stated({"tabor": 1.0})[0]["radius"]) < 1e-4, "of a smooth sphere the radius is only a unit"
+
+
+def test_printed_units_follow_the_numbers():
+    """The force was printed as 24747.27659 fN or 151255.502 pN: the prefix was that of the scene, not of the number."""
+    flat = "solve --from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --profile truncated:1e-6,1e-5"
+    for words, unit in ((flat, "[munp]?N|µN"), ("solve --from-physical --modulus-pa inf --work-j-per-m2 1e-5 --distance-m 3e-10 "
+                                                "--profile cone:0.05", "[munpf]N|µN")):
+        printed = expect(0, "*", words).out
+        force = re.search(rf"^pull-off force ([0-9.]+) ({unit}) at", printed, flags=re.M).group(1)
+        assert 0.1 <= float(force) < 1000, printed
+
+
+@pytest.mark.parametrize("option, value, words", [
+    ("distance-m", "0.3", "0.3 m, which looks like another unit: usual are 1e-11 to 1e-07 m"),
+    ("distance-m", "1e-12", "1e-12 m, which looks like another unit: usual are 1e-11 to 1e-07 m"),
+    ("radius-m", "300", "300 m, which looks like another unit: usual are 1e-10 to 100 m"),
+    ("modulus-pa", "5e15", "5e+15 Pa, which looks like another unit: usual are 1 to 2.5e+12 Pa"),
+    ("work-j-per-m2", "50", "50 J/m^2, which looks like another unit: usual are 1e-08 to 20 J/m^2")])
+def test_slips_of_units_are_remarked(option, value, words):
+    scene = {"modulus-pa": "2e9", "work-j-per-m2": "0.05", "distance-m": "3e-10", "radius-m": "1e-7"}
+    command = "theory jkr --from-physical " + " ".join(f"--{key} {text}" for key, text in (scene | {option: value}).items())
+    expect(0, f"pulloff: warning: --{option} is {words}", command)
+    expect(0, "", "theory jkr --from-physical " + " ".join(f"--{key} {text}" for key, text in scene.items()))

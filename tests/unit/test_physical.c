@@ -126,6 +126,47 @@ static const struct {
      1e-6},
 };
 
+/* Printed numbers were 24747.27659 fN and 151255.502 pN: the prefix was that of the scene, whatever
+ * its numbers. */
+static const struct {
+  po_dimension dimension;
+  double value; /* in SI units */
+  const char *text;
+} READABLE[] = {{PO_DIMENSION_LOAD, -2.474727659e-11, "pN"},
+                {PO_DIMENSION_LOAD, 1.51255502e-7, "nN"},
+                {PO_DIMENSION_LOAD, 1e-9, "nN"},
+                {PO_DIMENSION_LOAD, 0.0021, "mN"},
+                {PO_DIMENSION_LOAD, 999.0, "N"},
+                {PO_DIMENSION_LOAD, 4.2e7, "MN"},
+                {PO_DIMENSION_LENGTH, 3.2815e-6, "µm"},
+                {PO_DIMENSION_LENGTH, 4e-14, "fm"},
+                {PO_DIMENSION_ENERGY, 1.6e-18, "aJ"},
+                {PO_DIMENSION_ENERGY, 7e-13, "fJ"},
+                {PO_DIMENSION_STIFFNESS, 1.2e-5, "µN/m"},
+                {PO_DIMENSION_STIFFNESS, 2e4, "kN/m"},
+                {PO_DIMENSION_TRACTION, 1.71066746e8, "MPa"},
+                {PO_DIMENSION_TRACTION, 2.5e-3, "mPa"}};
+
+START_TEST(printed_numbers_are_readable) {
+  const po_units scenes[] = {{1e-10, 3e-14, 1, 1e3, 1e3, 0, 0},
+                             {3e-10, 1.5e-9, 0.05, 1.7e8, 2e7, 0, 0},
+                             {1e-3, 1.0, 1.0, 1e9, 1e5, 0, 0}};
+  for (size_t k = 0; k < sizeof scenes / sizeof *scenes; ++k) {
+    const double factor = po_si_unit_of(&scenes[k], READABLE[_i].dimension).factor;
+    const double number = READABLE[_i].value / factor;
+    const po_si_unit usual = po_si_prefixed(&scenes[k], READABLE[_i].dimension),
+                     unit = po_si_readable(&scenes[k], READABLE[_i].dimension, fabs(number));
+    const double shown = fabs(number * unit.factor);
+    ck_assert(shown >= 0.1 && shown < 1000.0);
+    ck_assert(strcmp(unit.text, READABLE[_i].text) == 0 || strcmp(unit.text, usual.text) == 0);
+    ck_assert_str_eq(po_si_readable(&scenes[k], READABLE[_i].dimension, 0).text, usual.text);
+    ck_assert_str_eq(po_si_readable(&scenes[k], READABLE[_i].dimension, NAN).text, usual.text);
+  }
+  const po_units si = {.length = 1, .force = 1, .tension = 1, .traction = 1};
+  ck_assert_str_eq(po_si_readable(&si, PO_DIMENSION_LOAD, 2.474727659e-11).text, "pN");
+}
+END_TEST
+
 START_TEST(units_have_the_prefix_of_the_scene) {
   const po_physical p = {.modulus = PREFIXED[_i].modulus,
                          .work = PREFIXED[_i].work,
@@ -149,6 +190,7 @@ START_TEST(units_have_the_prefix_of_the_scene) {
 END_TEST
 
 static void add(TCase *tests) {
+  tcase_add_loop_test(tests, printed_numbers_are_readable, 0, sizeof READABLE / sizeof *READABLE);
   tcase_add_loop_test(tests, units_have_the_prefix_of_the_scene, 0,
                       sizeof PREFIXED / sizeof *PREFIXED);
   tcase_add_loop_test(tests, groups_are_those_of_the_paper, 0, BODY_COUNT);
