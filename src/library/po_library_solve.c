@@ -155,11 +155,14 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
     return status;
   po_form_input input = {request.scene, alpha, at};
   const po_given given = po_library_given(scene, -1, NULL);
-  const po_use other = {"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA};
+  po_use others[] = {{"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA},
+                     {"", po_given_has(&given, PO_KEY_PROFILE_APPROACH), false},
+                     {"want", request.want != 0, false}};
+  po_given_name(&given, PO_KEY_PROFILE_APPROACH, others[1].name);
   input.general = po_given_is_general(&given, form, &request.scene);
   if (isnan(alpha) && (po_given_has(&given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&request.scene)))
     input.alpha = po_scene_alpha(&request.scene);
-  status = po_given_check_form(&given, form, !isnan(alpha), &other, 1);
+  status = po_given_check_form(&given, form, !isnan(alpha), others, sizeof others / sizeof *others);
   if (!status)
     status = check_form(form, &given, &input);
   po_form_values values = {.count = 0};

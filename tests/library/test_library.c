@@ -285,6 +285,13 @@ START_TEST(closed_forms_are_evaluated) {
        "scheme has no effect on theory guduru: expected only "},
       {"guduru", "amplitude 1 wavelength 20", 0.3, none,
        "alpha has no effect on theory guduru: expected only "},
+      {"jkr", "want curve", none, none, "want has no effect on theory jkr: expected only "},
+      {"bradley", "want hysteresis", none, none, "want has no effect on theory bradley: "},
+      {"jkr", "profile_approach -1", none, none,
+       "profile_approach has no effect on theory jkr: expected only "},
+      {"jkr",
+       "profile_approach_m 1e-9 work_j_per_m2 0.05 distance_m 3e-10 modulus_pa 1e9 radius_m 1e-7",
+       none, none, "profile_approach_m has no effect on theory jkr: expected only "},
       {"jkr", "outer_radius 30", none, none, "outer_radius has no effect on theory jkr: "},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
