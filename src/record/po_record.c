@@ -9,6 +9,7 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_json_digest.h"
+#include "po_pins.h"
 
 static const char RECORD[] = "record.json";
 
@@ -207,9 +208,9 @@ static json_t *digests(const json_t *points) {
 static json_t *record_json(const po_case_run *run, int jobs, json_t *points, json_t *lines) {
   const po_case *kase = run->plan->kase;
   const po_case_file *file = kase->file;
-  char digest[PO_RESULT_DIGEST_LENGTH];
+  char digest[PO_RESULT_DIGEST_LENGTH], scenes[PO_DIGEST_LENGTH];
   json_t *all = digests(points);
-  const po_status status = po_json_digest(all, digest);
+  const po_status status = po_json_digest(all, digest), no_scenes = po_digests_scenes(kase, scenes);
   json_decref(all);
   return PO_JSON_OBJECT(
       {"schema", po_json_text("pulloff-record/1")}, {"case", po_json_text(file->name)},
@@ -218,6 +219,7 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"suites", po_json_texts(file->suite_names, file->suite_names_count)},
       {"file", po_json_text(kase->shown)}, {"key", po_json_text(run->plan->key)},
       {"solve_key", po_json_text(run->plan->solve_key)},
+      {"scenes", no_scenes ? NULL : po_json_text(scenes)},
       {"figure_script", po_json_text(file->figure_script)},
       {"command", command_json("run", run->plan)}, {"versions", po_environment_versions()},
       {"environment",

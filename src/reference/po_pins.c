@@ -196,12 +196,11 @@ static po_status check_digest_columns(const po_csv *table) {
   return PO_OK;
 }
 
-/* The time limit may be that of one run, and does not change the results. */
-static po_status digest_scenes(const po_case *kase, char digest[PO_DIGEST_LENGTH]) {
+po_status po_digests_scenes(const po_case *kase, char digest[PO_DIGEST_LENGTH]) {
   po_text text = {0};
   for (size_t i = 0; i < kase->point_count; ++i) {
     po_request request = kase->points[i].request;
-    request.time_limit = (double)NAN;
+    request.time_limit = (double)NAN; /* may be that of one run, and does not change the results */
     po_input_add_identity(&request, &text);
     po_text_add(&text, "\n");
   }
@@ -214,7 +213,7 @@ static po_status digest_scenes(const po_case *kase, char digest[PO_DIGEST_LENGTH
 po_status po_digests_open(const po_case *kase, char scenes[PO_DIGEST_LENGTH],
                           po_reference *digests) {
   *digests = (po_reference){.name = "digests", .type = PO_REFERENCE_PINS};
-  po_status status = digest_scenes(kase, scenes);
+  po_status status = po_digests_scenes(kase, scenes);
   if (!status)
     status = open_table(kase, NULL, ".digests.csv", check_digest_columns, digests);
   const po_csv_header *stored = po_csv_find_header(&digests->table, "scenes");

@@ -62,6 +62,9 @@ po_status po_pins_scenes(const po_case *kase, size_t *first);
 po_status po_digests_open(const po_case *kase, char scenes[PO_DIGEST_LENGTH],
                           po_reference *digests);
 
+/* Computes the digest of all scenes of a case. Status: PO_NO_MEMORY. */
+po_status po_digests_scenes(const po_case *kase, char digest[PO_DIGEST_LENGTH]);
+
 /* Looks up a point. Returned: in *digest, its digest, which belongs to the table; in *force, its
  * pull-off force in pi w R, NAN: none. Status: PO_NOT_FOUND, PO_CANNOT_READ. */
 po_status po_digests_find(const po_reference *digests, size_t point, const char *id,

@@ -8,7 +8,7 @@ import re
 import pytest
 from conftest import ROOT, agree, document, expect, run
 
-ANY = "sphere or power:C,n or cone:t or punch:b,R or truncated:b,R; a table of radii and gaps by profile_file"
+ANY = "sphere or power:C,n or cone:t or punch:b,R or truncated:b,R; a table of radii and gaps by --profile-file"
 WAVE = "expected A,L: amplitude and wavelength, two numbers > 0"
 SI = " --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10"
 
@@ -22,7 +22,7 @@ def waves(first, last):
     (2, "--profile is power:0.05: expected " + ANY, "solve --profile power:0.05"),
     (2, "--profile is cone:0.3,2: expected " + ANY, "solve --profile cone:0.3,2"),
     (2, "--profile is sphere:3: expected " + ANY, "solve --profile sphere:3"),
-    (2, "power_n is not given: the profile power needs it", "solve --profile power --power-c 0.05"),
+    (2, "--power-n is not given: the profile power needs it", "solve --profile power --power-c 0.05"),
     (2, "--power-n is 0.5: expected a number from 1 to 40", "solve --profile power:1,0.5"),
     (2, "--punch-b is -1: expected a finite number > 0", "solve --profile punch:-1,3"),
     (2, "--cone-t is 0: expected a finite number > 0", "solve --profile cone --cone-t 0"),

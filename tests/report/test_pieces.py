@@ -326,9 +326,10 @@ class Paper(unittest.TestCase):
 class Identity(unittest.TestCase):
     """Stored digests of two points; what the record of the run has for them."""
 
-    def found(self, points, stored):
-        table = types.SimpleNamespace(columns=dict(zip(("point", "digest", "pull_off_force"), zip(*stored)))) if stored else None
-        case = types.SimpleNamespace(name="made", points=[
+    def found(self, points, stored, scenes="s"):
+        table = types.SimpleNamespace(columns=dict(zip(("point", "digest", "pull_off_force"), zip(*stored))),
+                                      header={"scenes": "s"}) if stored else None
+        case = types.SimpleNamespace(name="made", record={"scenes": scenes}, points=[
             {"id": name, "label": name, "sweep": {"tabor": int(name)}, "digest": digest,
              "pull_off": None if force is None else {"force": force}} for name, digest, force in points])
         return identity.compare(types.SimpleNamespace(cases=[case]),
@@ -348,6 +349,11 @@ class Identity(unittest.TestCase):
     def test_a_force_that_is_lost_differs_beyond_measure(self):
         found = self.found([("0", "x", None)], [("0", "a", "1.5")])
         self.assertEqual(found["largest"][0], math.inf)
+
+    def test_other_scenes_are_not_compared(self):
+        """The results of a case whose sweep had changed were compared with the stored ones by the numbers of the points."""
+        self.assertIsNone(self.found([("0", "a", 1.5)], [("0", "a", "1.5")], scenes="t"))
+        self.assertIsNone(self.found([("0", "a", 1.5)], [("0", "a", "1.5")], scenes=None))
 
     def test_without_stored_digests_nothing_is_said(self):
         self.assertIsNone(self.found([("0", "a", 1.5)], []))
