@@ -8,7 +8,8 @@ import re
 import pytest
 from conftest import ROOT, agree, document, expect, run
 
-ANY = "sphere or power:C,n or cone:t or punch:b,R or truncated:b,R; a table of radii and gaps by --profile-file"
+ANY = "sphere or power:C,n or cone:t or punch:b,R or truncated:b,R; a table of radii and gaps by "
+OPTION, KEY = ANY + "--profile-file", ANY + "profile_file"
 WAVE = "expected A,L: amplitude and wavelength, two numbers > 0"
 SI = " --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10"
 
@@ -18,10 +19,10 @@ def waves(first, last):
 
 
 @pytest.mark.parametrize("code, message, words", [
-    (2, "--profile is wedge: expected " + ANY, "solve --profile wedge"),
-    (2, "--profile is power:0.05: expected " + ANY, "solve --profile power:0.05"),
-    (2, "--profile is cone:0.3,2: expected " + ANY, "solve --profile cone:0.3,2"),
-    (2, "--profile is sphere:3: expected " + ANY, "solve --profile sphere:3"),
+    (2, "--profile is wedge: expected " + OPTION, "solve --profile wedge"),
+    (2, "--profile is power:0.05: expected " + OPTION, "solve --profile power:0.05"),
+    (2, "--profile is cone:0.3,2: expected " + OPTION, "solve --profile cone:0.3,2"),
+    (2, "--profile is sphere:3: expected " + OPTION, "solve --profile sphere:3"),
     (2, "--power-n is not given: the profile power needs it", "solve --profile power --power-c 0.05"),
     (2, "--power-n is 0.5: expected a number from 1 to 40", "solve --profile power:1,0.5"),
     (2, "--punch-b is -1: expected a finite number > 0", "solve --profile punch:-1,3"),
@@ -229,7 +230,7 @@ def with_scene(good, *lines, radius=True):
 
 
 @pytest.mark.parametrize("code, message, lines", [
-    (2, "profile is wedge: expected " + ANY, ["profile: wedge"]),
+    (2, "profile is wedge: expected " + KEY, ["profile: wedge"]),
     (2, "waves is 1@: expected A@L*", ["waves: 1@"]),
     (2, "coupling is 1: expected only one of tabor and coupling", ["coupling: 1"]),
     (2, "waves is 1@20: expected only waves, or amplitude and wavelength", ["waves: 1@20", "amplitude: 2", "wavelength: 3"]),
