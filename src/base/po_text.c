@@ -98,3 +98,7 @@ po_status po_text_print(po_text *text) {
   po_text_clear(text);
   return status;
 }
+
+const char *po_one_or_more(size_t count, const char *one, const char *more) {
+  return count == 1 ? one : more;
+}

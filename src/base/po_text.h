@@ -29,6 +29,9 @@ void po_text_add_word(po_text *text, const char *word);
 /* Returned: the string; "" before the first append. */
 const char *po_text_string(const po_text *text);
 
+/* Returned: the word for a count: `one` for 1, else `more`: "point", "points". */
+const char *po_one_or_more(size_t count, const char *one, const char *more);
+
 /* Frees the string and sets it to zero. */
 void po_text_clear(po_text *text);
 

@@ -10,6 +10,7 @@
 #include "po_memory.h"
 #include "po_pins.h"
 #include "po_result_rows.h"
+#include "po_text.h"
 
 static const po_reference_number UNKNOWN = {(double)NAN, (double)NAN};
 
@@ -107,9 +108,10 @@ static po_status compare_curve(const po_compare_input *c) {
     snprintf(item->note, sizeof item->note, "%s", found.note);
   else
     snprintf(item->note, sizeof item->note,
-             "largest distance near approach %.4g, load %.4g; %zu points compared, %zu beyond the "
+             "largest distance near approach %.4g, load %.4g; %zu %s compared, %zu beyond the "
              "ends",
-             found.where.approach, found.where.load, found.compared, found.left_out);
+             found.where.approach, found.where.load, found.compared,
+             po_one_or_more(found.compared, "point", "points"), found.left_out);
   return PO_OK;
 }
 
@@ -122,9 +124,9 @@ static void explain_no_reverse_trace(po_check_result *item, const po_result *res
   else if (w->status)
     snprintf(item->note, size, "on the reverse trace: %.170s", w->reason);
   else
-    snprintf(item->note, size,
-             "%zu folds on the trace, %zu on the reverse trace; extrema %zu and %zu",
-             result->fold_count, w->folds, result->extremum_count, w->extrema);
+    snprintf(item->note, size, "%zu %s on the trace, %zu on the reverse trace; extrema %zu and %zu",
+             result->fold_count, po_one_or_more(result->fold_count, "fold", "folds"), w->folds,
+             result->extremum_count, w->extrema);
 }
 
 /* Writes the reason into the note if nothing was compared, or if the scene was traced twice. */

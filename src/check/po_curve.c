@@ -6,6 +6,7 @@
 
 #include "po_elementary.h"
 #include "po_memory.h"
+#include "po_text.h"
 
 /* A curve, the part of it that is compared, and the folds in that part. */
 typedef struct {
@@ -160,9 +161,9 @@ static void name_fold(const po_track *ours, const po_track *reference, po_curve_
   }
   const po_plane_point fold = po_plane_at(&more->curve, more->folds[named]);
   snprintf(verdict->note, sizeof verdict->note,
-           "%s fold near approach %.4g, load %.4g (%zu folds, reference %zu)",
+           "%s fold near approach %.4g, load %.4g (%zu %s, reference %zu)",
            missing ? "missing" : "spurious", fold.approach, fold.load, ours->fold_count,
-           reference->fold_count);
+           po_one_or_more(ours->fold_count, "fold", "folds"), reference->fold_count);
 }
 
 /* Finds the largest distance of points in no order from our curve. */

@@ -8,6 +8,7 @@
 #include "po_live.h"
 #include "po_options.h"
 #include "po_print.h"
+#include "po_text.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -70,7 +71,7 @@ int po_verb_conform(int argc, char **argv) {
     remove_empty(folder.text, existing);
   }
   if (!status && wrong)
-    printf("%zu %s wrong\n", wrong, wrong == 1 ? "finding is" : "findings are");
+    printf("%zu %s wrong\n", wrong, po_one_or_more(wrong, "finding is", "findings are"));
   const int code = status ? po_options_end(status) : wrong ? PO_EXIT_OUTSIDE : PO_EXIT_OK;
   po_solver_destroy(solver);
   return code;

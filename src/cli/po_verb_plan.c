@@ -5,12 +5,13 @@
 #include "po_catalog.h"
 #include "po_environment.h"
 #include "po_memory.h"
+#include "po_observe.h"
 #include "po_options.h"
 #include "po_order.h"
 #include "po_pins.h"
 #include "po_plan.h"
 #include "po_print.h"
-#include "po_observe.h"
+#include "po_text.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -81,8 +82,10 @@ static po_status print_needs(const po_plan *plan) {
            "tolerance, or leave such points out\n",
            megabytes(memory));
   else if (n.together > memory)
-    printf("  but this machine has %.0f MB for %d solves at a time: pulloff run --jobs %.0f\n",
-           megabytes(memory), po_environment_cores(), floor(memory / n.largest.bytes));
+    printf("  but this machine has %.0f MB for %d %s at a time: pulloff run --jobs %.0f\n",
+           megabytes(memory), po_environment_cores(),
+           po_one_or_more((size_t)po_environment_cores(), "solve", "solves"),
+           floor(memory / n.largest.bytes));
   return PO_OK;
 }
 

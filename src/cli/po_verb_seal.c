@@ -8,6 +8,7 @@
 #include "po_options.h"
 #include "po_quote.h"
 #include "po_reference.h"
+#include "po_text.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -108,8 +109,9 @@ static po_status refuse_missing(const char *path, const char *const values[HEADE
     if (!values[i] && !had[i])
       po_text_add(&missing, "%s--%s", count++ ? ", " : "", OPTIONS[i].name);
   const po_status status =
-      count ? po_fail(PO_BAD_INPUT, "%s lacks %zu headers: expected the option%s %s", path, count,
-                      count == 1 ? "" : "s", po_text_string(&missing))
+      count ? po_fail(PO_BAD_INPUT, "%s lacks %zu %s: expected the %s %s", path, count,
+                      po_one_or_more(count, "header", "headers"),
+                      po_one_or_more(count, "option", "options"), po_text_string(&missing))
             : PO_OK;
   po_text_clear(&missing);
   return status;

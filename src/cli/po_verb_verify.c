@@ -87,13 +87,14 @@ static void add_case(const po_case_run *run, po_text *text) {
     po_text_add(text, "; %zu improved%s or slack", remarkable,
                 run->coverage.not_reachable ? ", not reachable" : "");
   if (run->plan->solver)
-    po_text_add(text, "; coverage %zu/%zu points, %zu/%zu checks", run->coverage.asked,
-                run->coverage.points, run->coverage.made, run->coverage.checks);
+    po_text_add(text, "; coverage %zu/%zu %s, %zu/%zu %s", run->coverage.asked,
+                run->coverage.points, po_one_or_more(run->coverage.points, "point", "points"),
+                run->coverage.made, run->coverage.checks,
+                po_one_or_more(run->coverage.checks, "check", "checks"));
   const size_t clocks = po_record_disagreements(run);
   if (clocks)
-    po_text_add(text,
-                "; the times that it reports disagree with those of its processes at %zu points",
-                clocks);
+    po_text_add(text, "; the times that it reports disagree with those of its processes at %zu %s",
+                clocks, po_one_or_more(clocks, "point", "points"));
   po_text_add(text, "\n");
 }
 
@@ -165,8 +166,9 @@ static void add_excluded(const po_case_run *run, po_text *text) {
       first = i;
     }
   if (count)
-    po_text_add(text, "%s: the manifest excludes %zu of %zu points; the first, %s, is %s\n",
-                run->plan->name, count, run->asked_count, kase->points[first].label,
+    po_text_add(text, "%s: the manifest excludes %zu of %zu %s; the first, %s, is %s\n",
+                run->plan->name, count, run->asked_count,
+                po_one_or_more(run->asked_count, "point", "points"), kase->points[first].label,
                 run->points[first].result.reason);
 }
 

@@ -318,12 +318,15 @@ po_status po_print_text(const po_request *request, const po_given *given, const 
     po_print_physical(given, request, result);
     po_print_test(request, result);
   }
-  printf("work     %llu points, %llu Newton iterations, %llu factorisations of at most %llu "
-         "nodes, %.3g s\n",
-         (unsigned long long)result->work.points,
-         (unsigned long long)result->work.newton_iterations,
-         (unsigned long long)result->work.factorizations,
-         (unsigned long long)result->work.factorized_nodes, result->work.seconds);
+  const size_t points = (size_t)result->work.points,
+               iterations = (size_t)result->work.newton_iterations,
+               factorizations = (size_t)result->work.factorizations,
+               nodes = (size_t)result->work.factorized_nodes;
+  printf("work     %zu %s, %zu Newton %s, %zu %s of at most %zu %s, %.3g s\n", points,
+         po_one_or_more(points, "point", "points"), iterations,
+         po_one_or_more(iterations, "iteration", "iterations"), factorizations,
+         po_one_or_more(factorizations, "factorisation", "factorisations"), nodes,
+         po_one_or_more(nodes, "node", "nodes"), result->work.seconds);
   po_result wanted = *result;
   if (!(request->want & PO_WANT_THEORIES)) /* those of the line are no result */
     wanted.theory_count = 0;

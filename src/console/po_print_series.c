@@ -10,6 +10,7 @@
 #include "po_print.h"
 #include "po_si.h"
 #include "po_tables.h"
+#include "po_text.h"
 
 static bool is_physical(const po_printed_series *series) {
   return series->requests[0].in_si;
@@ -128,8 +129,9 @@ static po_status print_rows(const po_printed_series *series) {
     print_row(series, &p, k);
     followed += series->results[k].followed;
   }
-  printf("work     %llu factorisations for %zu scenes, %zu of them followed\n",
-         factorizations(series), series->count, followed);
+  printf("work     %llu %s for %zu %s, %zu of them followed\n", factorizations(series),
+         po_one_or_more((size_t)factorizations(series), "factorisation", "factorisations"),
+         series->count, po_one_or_more(series->count, "scene", "scenes"), followed);
   return po_print_digest(document_of(series));
 }
 
@@ -160,8 +162,10 @@ static po_status print_folds(const po_printed_series *series) {
          "error", "contact radius");
   for (size_t index = 0; index < folds; ++index)
     print_fold(series, &p, index);
-  printf("work     %llu factorisations for %zu folds of %zu scenes\n", factorizations(series),
-         folds, series->count);
+  printf("work     %llu %s for %zu %s of %zu %s\n", factorizations(series),
+         po_one_or_more((size_t)factorizations(series), "factorisation", "factorisations"), folds,
+         po_one_or_more(folds, "fold", "folds"), series->count,
+         po_one_or_more(series->count, "scene", "scenes"));
   return po_print_digest(document_of(series));
 }
 

@@ -6,6 +6,7 @@
 #include "po_path.h"
 #include "po_result_rows.h"
 #include "po_si.h"
+#include "po_text.h"
 
 /* The factors of printed numbers, and what follows them: 1 and nothing, or SI units. */
 typedef struct {
@@ -174,7 +175,8 @@ static void print_wanted(const po_request *request, const po_result *o) {
     po_si_take(&of_annuli.length, o->annuli.held[k].outer);
   const units at = units_of(request, &of_approach), annuli = units_of(request, &of_annuli);
   if (request->want & PO_WANT_CURVE)
-    printf("curve    %zu points; --curve FILE or --json writes them\n", o->curve_count);
+    printf("curve    %zu %s; --curve FILE or --json writes them\n", o->curve_count,
+           po_one_or_more(o->curve_count, "point", "points"));
   if (!(request->want & PO_WANT_PROFILE))
     return;
   if (o->profile_count == 0) {
@@ -183,8 +185,9 @@ static void print_wanted(const po_request *request, const po_result *o) {
              request->profile_approach * at.length, at.of_length);
     return;
   }
-  printf("profile  %zu radii at approach %.8g%s; --profile FILE or --json writes them\n",
-         o->profile_count, o->profile_approach * at.length, at.of_length);
+  printf("profile  %zu %s at approach %.8g%s; --profile FILE or --json writes them\n",
+         o->profile_count, po_one_or_more(o->profile_count, "radius", "radii"),
+         o->profile_approach * at.length, at.of_length);
   printf("annuli   in contact: ");
   for (size_t k = 0; k < o->annuli.held_count; ++k)
     printf("%s%.6g to %.6g%s", k ? ", " : "", o->annuli.held[k].inner * annuli.length,

@@ -13,6 +13,7 @@
 #include "po_print.h"
 #include "po_quote.h"
 #include "po_record.h"
+#include "po_text.h"
 #include "po_verdicts.h"
 
 static const size_t MOST_JOBS = 4096;
@@ -311,7 +312,7 @@ int po_session_end(po_session *session, po_status status) {
   if (failures) {
     char shown[PO_QUOTE_LENGTH];
     fprintf(stderr, "pulloff: %zu %s failed; the records in %s state the reasons\n", failures,
-            failures == 1 ? "solve" : "solves", po_quote(session->options.output, shown));
+            po_one_or_more(failures, "solve", "solves"), po_quote(session->options.output, shown));
     code = PO_EXIT_SOLVE;
   }
   po_session_clear(session);

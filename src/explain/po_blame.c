@@ -7,6 +7,7 @@
 
 #include "po_plan.h"
 #include "po_recognise.h"
+#include "po_text.h"
 
 static void __attribute__((format(printf, 3, 4)))
 say(po_blame *blame, const char *side, const char *format, ...) {
@@ -234,9 +235,9 @@ static void blame_solver(const po_case_run *run, const po_check_result *item, po
   }
   if (count > 0 && po_recognise_factor(pairs, count, CLOSE, factor) && strcmp(factor, "1") != 0)
     say(blame, "solver",
-        "the results of %s are the expected values times %s at all %zu points: a wrong "
+        "the results of %s are the expected values times %s at all %zu %s: a wrong "
         "unit, sign or factor",
-        run->plan->solver->name, factor, count);
+        run->plan->solver->name, factor, count, po_one_or_more(count, "point", "points"));
   else if (item->verdict == PO_NOT_REACHABLE)
     say(blame, "none",
         "%s follows stable equilibria and cannot see this value: the check does not "

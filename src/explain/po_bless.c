@@ -12,6 +12,7 @@
 #include "po_memory.h"
 #include "po_pins.h"
 #include "po_record.h"
+#include "po_text.h"
 
 typedef struct {
   size_t point;
@@ -174,7 +175,7 @@ static po_status check_results(const po_case_run *run) {
         PO_CHECK_FAILED,
         "%s is not blessed: %zu stored %s altered or damaged; solved again now, the case "
         "can be blessed when it was looked at",
-        name, run->altered, run->altered == 1 ? "result was" : "results were");
+        name, run->altered, po_one_or_more(run->altered, "result was", "results were"));
   for (size_t i = 0; i < kase->point_count; ++i)
     if (po_case_run_failed(run, i))
       return po_fail(PO_NOT_CONVERGED, "%s is not blessed: the solve of %s failed: %s", name,
@@ -334,11 +335,12 @@ static po_status bless_pins(const po_case_run *run, const char *who, const char 
   if (!status && changed)
     status = write_pins(run, old, &list, who, reason);
   if (!status && changed)
-    po_text_add(report, "%s: %zu pins, %zu moved, %zu new, %zu dropped\n", old->shown.text,
-                list.count, found.moved, found.new, found.dropped);
+    po_text_add(report, "%s: %zu %s, %zu moved, %zu new, %zu dropped\n", old->shown.text,
+                list.count, po_one_or_more(list.count, "pin", "pins"), found.moved, found.new,
+                found.dropped);
   else if (!status)
-    po_text_add(report, "%s: %zu pins, all as they were; nothing is written\n", old->shown.text,
-                list.count);
+    po_text_add(report, "%s: %zu %s, all as they were; nothing is written\n", old->shown.text,
+                list.count, po_one_or_more(list.count, "pin", "pins"));
   free(list.items);
   free(list.scenes);
   return status;
@@ -379,7 +381,8 @@ static po_status bless_digests(const po_case_run *run, const char *who, const ch
     status = write_table(old.path.text, &header, &rows);
   }
   if (!status)
-    po_text_add(report, "%s: %zu digests, %zu new\n", old.shown.text, count, changed);
+    po_text_add(report, "%s: %zu %s, %zu new\n", old.shown.text, count,
+                po_one_or_more(count, "digest", "digests"), changed);
   po_text_clear(&rows);
   po_reference_close(&old);
   return status;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "po_elementary.h"
+#include "po_text.h"
 
 /* Returned: special point number `index` in the list of all folds followed by all extrema. */
 static const po_special_point *special(const po_result *result, size_t index) {
@@ -221,7 +222,8 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
       add_commands(run, &f, choice->output, text);
     }
   }
-  po_text_add(text, "%s: %zu of %zu checks explained%s\n", run->plan->name, explained, considered,
+  po_text_add(text, "%s: %zu of %zu %s explained%s\n", run->plan->name, explained, considered,
+              po_one_or_more(considered, "check", "checks"),
               explained < considered ? ", the others are within" : "");
 }
 

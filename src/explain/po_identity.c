@@ -5,6 +5,7 @@
 
 #include "po_pins.h"
 #include "po_record.h"
+#include "po_text.h"
 
 /* Relative difference of a pull-off force up to which it may be due to rounding. */
 static const double ROUNDING = 1e-9;
@@ -83,9 +84,10 @@ static void describe(const po_case_run *run, difference *found, po_text *lines) 
   const po_case *kase = run->plan->kase;
   if (found->different) {
     po_text_add(lines,
-                "%s: %zu of %zu results are not the stored ones; the pull-off force of %s differs "
+                "%s: %zu of %zu %s not the stored ones; the pull-off force of %s differs "
                 "most, by %.2g of %.10g: ",
                 kase->file->name, found->different, found->compared,
+                po_one_or_more(found->compared, "result is", "results are"),
                 kase->points[found->point].label, found->largest, found->stored);
     add_oracles(run, found->point, lines);
     po_text_add(lines, "\n");
@@ -153,8 +155,9 @@ void po_identity_add(const po_identity *identity, po_text *text) {
   const size_t different = identity->compared - identity->identical;
   if (!identity->compared)
     return;
-  po_text_add(text, "%zu of %zu results are identical to the last bit with the stored ones",
-              identity->identical, identity->compared);
+  po_text_add(text, "%zu of %zu %s identical to the last bit with the stored ones",
+              identity->identical, identity->compared,
+              po_one_or_more(identity->compared, "result is", "results are"));
   if (different)
     po_text_add(text, ", %zu differ: their pull-off forces by at most %.2g", different,
                 identity->largest);

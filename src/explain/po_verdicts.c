@@ -49,9 +49,10 @@ void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
         failures += 1;
   for (int passes = 1; passes >= 0; --passes) {
     if (passes)
-      po_text_add(text, "%zu %s", passing, passing == 1 ? "check passes" : "checks pass");
+      po_text_add(text, "%zu %s", passing, po_one_or_more(passing, "check passes", "checks pass"));
     else
-      po_text_add(text, ", %zu %s not", total - passing, total - passing == 1 ? "does" : "do");
+      po_text_add(text, ", %zu %s not", total - passing,
+                  po_one_or_more(total - passing, "does", "do"));
     const char *before = " (";
     for (int v = PO_OUTSIDE; v < PO_VERDICT_COUNT; ++v)
       if (of[v] && po_verdict_passes((po_verdict)v) == passes) {
@@ -60,7 +61,7 @@ void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
       }
     po_text_add(text, "%s", *before == ',' ? ")" : "");
   }
-  po_text_add(text, ", %zu %s failed\n", failures, failures == 1 ? "solve" : "solves");
+  po_text_add(text, ", %zu %s failed\n", failures, po_one_or_more(failures, "solve", "solves"));
 }
 
 void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
@@ -286,8 +287,9 @@ void po_summary_add(const po_case_run *run, po_text *text) {
     text->failed = true;
     return;
   }
-  po_text_add(text, "%s: %zu of %zu points\n", run->plan->name, run->asked_count,
-              run->plan->kase->point_count);
+  po_text_add(text, "%s: %zu of %zu %s\n", run->plan->name, run->asked_count,
+              run->plan->kase->point_count,
+              po_one_or_more(run->plan->kase->point_count, "point", "points"));
   add_statuses(run, text);
   add_costs(run, space, text);
   add_slowest(run, text);

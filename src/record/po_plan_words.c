@@ -31,7 +31,7 @@ static void __attribute__((format(printf, 2, 3))) say(json_t **lines, const char
 }
 
 static const char *scenes(size_t count) {
-  return count == 1 ? "scene" : "scenes";
+  return po_one_or_more(count, "scene", "scenes");
 }
 
 /* The numbers of points with certain properties. */
@@ -107,7 +107,8 @@ static void tell_scenes(const po_plan *plan, json_t **lines) {
                    ? "end each branch where no harder preload gives a greater pull-off force"
                    : "end each branch at the preload: the case does not want other preloads");
   if (n.to_end)
-    say(lines, "trace %zu %s up to approach_end", n.to_end, n.to_end == 1 ? "branch" : "branches");
+    say(lines, "trace %zu %s up to approach_end", n.to_end,
+        po_one_or_more(n.to_end, "branch", "branches"));
 }
 
 static void tell_left_out(const po_plan *plan, json_t **lines) {
@@ -197,8 +198,9 @@ static void tell_measures(const po_plan *plan, json_t **lines) {
     size_t concerned = 0, covered = 0;
     count_points(kase, measure, &plan->references[kase->file->checks_count + i], &concerned,
                  &covered);
-    say(lines, "measure the error of %s against %s at %zu of %zu points, without a verdict",
-        measure->quantity_text, measure->reference, concerned, kase->point_count);
+    say(lines, "measure the error of %s against %s at %zu of %zu %s, without a verdict",
+        measure->quantity_text, measure->reference, concerned, kase->point_count,
+        po_one_or_more(kase->point_count, "point", "points"));
     if (covered < concerned)
       say(lines, "  but %s has no value for %zu of these", measure->reference, concerned - covered);
   }
@@ -218,8 +220,9 @@ static void tell_checks(const po_plan *plan, json_t **lines) {
     }
     size_t concerned = 0, covered = 0;
     count_points(kase, check, reference, &concerned, &covered);
-    say(lines, "compare %s with %s at %zu of %zu points, tolerance %s %s", check->quantity_text,
-        po_reference_shown(reference), concerned, kase->point_count, check->tolerance_text,
+    say(lines, "compare %s with %s at %zu of %zu %s, tolerance %s %s", check->quantity_text,
+        po_reference_shown(reference), concerned, kase->point_count,
+        po_one_or_more(kase->point_count, "point", "points"), check->tolerance_text,
         check->kind_text);
     if (check->type == PO_REFERENCE_PINS && !po_pins_exist(reference))
       say(lines, "  but there are no pins yet");
@@ -282,9 +285,9 @@ static void tell_unused_rows(const po_plan *plan, unsigned number, json_t **line
   po_text ranges = {0};
   add_ranges(&reference->table, used, &ranges);
   if (unused)
-    say(lines, "no scene of the case is that of %zu of %zu rows of %s: line%s %s", unused,
-        reference->table.row_count, reference->name, unused == 1 ? "" : "s",
-        po_text_string(&ranges));
+    say(lines, "no scene of the case is that of %zu of %zu %s of %s: %s %s", unused,
+        reference->table.row_count, po_one_or_more(reference->table.row_count, "row", "rows"),
+        reference->name, po_one_or_more(unused, "line", "lines"), po_text_string(&ranges));
   po_text_clear(&ranges);
   free(used);
 }
@@ -298,11 +301,12 @@ static void describe_solver(const po_plan *plan, json_t **lines) {
     asked += po_solver_accepts(plan->solver, &kase->points[i].request, why);
   for (unsigned c = 0; c < kase->file->checks_count; ++c)
     made += po_plan_covers(plan, &kase->file->checks[c]);
-  say(lines, "ask the solver %s for %zu of %zu points", plan->solver->name, asked,
-      kase->point_count);
+  say(lines, "ask the solver %s for %zu of %zu %s", plan->solver->name, asked, kase->point_count,
+      po_one_or_more(kase->point_count, "point", "points"));
   if (asked < kase->point_count)
     say(lines, "leave out the others, for example because %s", why);
-  say(lines, "make %zu of %u checks", made, kase->file->checks_count);
+  say(lines, "make %zu of %u %s", made, kase->file->checks_count,
+      po_one_or_more(kase->file->checks_count, "check", "checks"));
 }
 
 json_t *po_plan_describe(const po_plan *plan) {

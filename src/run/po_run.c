@@ -11,6 +11,7 @@
 #include "po_job.h"
 #include "po_linear.h"
 #include "po_record.h"
+#include "po_text.h"
 #include "po_watch.h"
 
 /* Shows the progress of a run on standard error: one line that is updated on a terminal, separate
@@ -51,9 +52,11 @@ static void show(po_progress *progress, const char *what) {
   span(progress->done ? seconds * (progress->effort / progress->spent - 1) : 0, remaining);
   const int width =
       progress->done
-          ? snprintf(line, sizeof line, "%zu/%zu solves, %s elapsed, about %s remaining (%.60s)",
-                     progress->done, progress->total, elapsed, remaining, what)
-          : snprintf(line, sizeof line, "0/%zu solves", progress->total);
+          ? snprintf(line, sizeof line, "%zu/%zu %s, %s elapsed, about %s remaining (%.60s)",
+                     progress->done, progress->total,
+                     po_one_or_more(progress->total, "solve", "solves"), elapsed, remaining, what)
+          : snprintf(line, sizeof line, "0/%zu %s", progress->total,
+                     po_one_or_more(progress->total, "solve", "solves"));
   clear_line(progress);
   fprintf(stderr, progress->live ? "%s" : "%s\n", line);
   progress->width = progress->live ? (size_t)width : 0;
@@ -127,11 +130,14 @@ static void report_finished(po_crew *crew, const po_case_run *run) {
   if (run->kept)
     snprintf(kept, sizeof kept, " (kept)");
   else if (run->resumed)
-    snprintf(kept, sizeof kept, " (%zu points kept)", run->resumed);
+    snprintf(kept, sizeof kept, " (%zu %s kept)", run->resumed,
+             po_one_or_more(run->resumed, "point", "points"));
   if (!po_case_run_is_whole(run))
     snprintf(part, sizeof part, " of %zu", run->plan->kase->point_count);
-  progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s", run->plan->name,
-               run->asked_count, part, run->check_results.count, po_case_run_verdict(run), kept);
+  progress_say(
+      &crew->progress, "%s: %zu%s %s, %zu %s: %s%s", run->plan->name, run->asked_count, part,
+      po_one_or_more(run->plan->kase->point_count, "point", "points"), run->check_results.count,
+      po_one_or_more(run->check_results.count, "check", "checks"), po_case_run_verdict(run), kept);
 }
 
 /* Makes the checks and writes the record of a case whose points are all solved. */
@@ -288,9 +294,10 @@ static po_status work_through(po_crew *crew, size_t count) {
     return po_fail(crew->status, "%s", crew->message);
   if (crew->starved && !(crew->options->stop && *crew->options->stop))
     return po_fail(PO_NO_MEMORY,
-                   "%zu solves ended for lack of memory, the first is %s; finished points are "
+                   "%zu %s ended for lack of memory, the first is %s; finished points are "
                    "kept in %s, run again to solve the others",
-                   crew->starved, crew->starved_message, crew->options->output);
+                   crew->starved, po_one_or_more(crew->starved, "solve", "solves"),
+                   crew->starved_message, crew->options->output);
   for (size_t r = 0; r < count; ++r)
     if (!crew->runs[r].finished)
       return po_fail(PO_INTERRUPTED,
@@ -317,8 +324,8 @@ static void report_altered(po_crew *crew, po_case_run *run) {
     run->altered = lacking;
   if (run->altered)
     progress_say(&crew->progress, "%s: %zu stored %s altered or damaged and %s solved again", name,
-                 run->altered, run->altered == 1 ? "result was" : "results were",
-                 run->altered == 1 ? "is" : "are");
+                 run->altered, po_one_or_more(run->altered, "result was", "results were"),
+                 po_one_or_more(run->altered, "is", "are"));
   else if (run->damaged)
     progress_say(&crew->progress,
                  "%s: the record was altered; its results have their checksums and are kept", name);

@@ -7,6 +7,7 @@
 #include "po_memory.h"
 #include "po_observe.h"
 #include "po_run.h"
+#include "po_text.h"
 
 /* Reports whether the results of a point are compared: it is requested, and an external solver was
  * asked for it. */
@@ -141,12 +142,13 @@ static po_status compare_share(po_case_run *run, const po_check *check,
   item->whole = true;
   if (without_reason) {
     item->verdict = PO_OUTSIDE;
-    snprintf(item->note, sizeof item->note, "%zu of %zu failures have no reason", without_reason,
-             concerned - solved);
+    snprintf(item->note, sizeof item->note, "%zu of %zu %s no reason", without_reason,
+             concerned - solved,
+             po_one_or_more(concerned - solved, "failure has", "failures have"));
   } else if (solved < concerned)
-    snprintf(item->note, sizeof item->note, "%zu of %zu points failed, first point %s: %.100s",
-             concerned - solved, concerned, kase->points[example].id,
-             run->points[example].result.reason);
+    snprintf(item->note, sizeof item->note, "%zu of %zu %s failed, first point %s: %.100s",
+             concerned - solved, concerned, po_one_or_more(concerned, "point", "points"),
+             kase->points[example].id, run->points[example].result.reason);
   return PO_OK;
 }
 

@@ -13,6 +13,7 @@
 #include "po_order.h"
 #include "po_random.h"
 #include "po_record.h"
+#include "po_text.h"
 
 static const char SCHEMA[] = "pulloff-shard/1";
 
@@ -190,8 +191,10 @@ static po_status refuse_scenes(const po_merge_part *first, const po_merge_part *
 /* Compares a shard with the first one: program, cases and scenes must agree. */
 static po_status check_part(const po_merge_part *first, const po_merge_part *part) {
   if (part->shard.count != first->shard.count)
-    return po_fail(PO_BAD_INPUT, "%s is one of %zu shards: expected one of %zu, as %s is",
-                   part->path.text, part->shard.count, first->shard.count, first->path.text);
+    return po_fail(PO_BAD_INPUT, "%s is one of %zu %s: expected one of %zu, as %s is",
+                   part->path.text, part->shard.count,
+                   po_one_or_more(part->shard.count, "shard", "shards"), first->shard.count,
+                   first->path.text);
   if (strcmp(po_record_text(first->root, "program"), po_record_text(part->root, "program")) != 0)
     return po_fail(PO_BAD_INPUT,
                    "%s was computed by another program than %s: expected the same program",
@@ -235,7 +238,7 @@ static po_status refuse_missing(const po_merge *merge) {
     po_text_add(&missing, " and %zu more", count - MOST_NAMED);
   const po_status status =
       po_fail(PO_BAD_INPUT, "%s missing: %s; expected all %zu shards",
-              count == 1 ? "a shard is" : "shards are", po_text_string(&missing), of);
+              po_one_or_more(count, "a shard is", "shards are"), po_text_string(&missing), of);
   po_text_clear(&missing);
   free(there);
   return status;
@@ -319,13 +322,13 @@ static po_status read_points(const po_merge_part *part, po_case_run *run) {
   const po_status status = read_results(run, part->folder);
   const size_t lacking = po_case_run_lacking(run);
   if (!status && lacking)
-    return po_fail(
-        PO_CANNOT_READ,
-        "%s lacks %zu of %zu points of %s%s: expected the complete shard %zu/%zu; run it "
-        "again",
-        part->folder, lacking, run->asked_count, run->plan->kase->file->name,
-        run->altered ? ", whose stored results were altered" : "", part->shard.number,
-        part->shard.count);
+    return po_fail(PO_CANNOT_READ,
+                   "%s lacks %zu of %zu %s of %s%s: expected the complete shard %zu/%zu; run it "
+                   "again",
+                   part->folder, lacking, run->asked_count,
+                   po_one_or_more(run->asked_count, "point", "points"), run->plan->kase->file->name,
+                   run->altered ? ", whose stored results were altered" : "", part->shard.number,
+                   part->shard.count);
   if (!status && run->damaged)
     return po_fail(PO_CANNOT_READ, "%s: the record of %s was altered: run the shard again",
                    part->folder, run->plan->kase->file->name);

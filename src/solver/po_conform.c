@@ -9,6 +9,7 @@
 #include "po_known_scenes.h"
 #include "po_process.h"
 #include "po_recognise.h"
+#include "po_text.h"
 #include "po_watch.h"
 
 /* Relative tolerance on the numbers of these scenes. It is wide, because only wrong signs, factors
@@ -172,14 +173,14 @@ static void test_number(conforming *c, int number, const po_pair *pairs, size_t 
   int offset = 0;
   const bool same = po_recognise_factor(pairs, count, CLOSE, name);
   if (same && strcmp(name, "1") == 0)
-    tell(c, "ok", "%s: within %.0f %% of the expected value in %zu scenes", what, 100 * CLOSE,
-         count);
+    tell(c, "ok", "%s: within %.0f %% of the expected value in %zu %s", what, 100 * CLOSE, count,
+         po_one_or_more(count, "scene", "scenes"));
   else if (same)
-    tell(c, "wrong", "%s: the expected value times %s in %zu scenes; expected: %s", what, name,
-         count, unit);
+    tell(c, "wrong", "%s: the expected value times %s in %zu %s; expected: %s", what, name, count,
+         po_one_or_more(count, "scene", "scenes"), unit);
   else if (number == APPROACH && recognise_offset(pairs, count, &offset))
-    tell(c, "wrong", "%s: the expected value %+d eps in %zu scenes; expected: %s", what, offset,
-         count, unit);
+    tell(c, "wrong", "%s: the expected value %+d eps in %zu %s; expected: %s", what, offset, count,
+         po_one_or_more(count, "scene", "scenes"), unit);
   else {
     size_t worst = 0;
     for (size_t i = 1; i < count; ++i)
@@ -342,7 +343,8 @@ po_status po_conform(const po_solver *solver, const char *data_folder, const cha
   c.count = c.known.count;
   ask_known_scenes(&c);
   forget_answers(&c);
-  tell(&c, "ok", "manifest: %u quantities, %s", solver->file->can.quantities_count,
+  tell(&c, "ok", "manifest: %u %s, %s", solver->file->can.quantities_count,
+       po_one_or_more(solver->file->can.quantities_count, "quantity", "quantities"),
        solver->unstable ? "finds unstable equilibria" : "follows stable equilibria");
   if (!po_can_confine())
     tell(&c, "note", "this kernel cannot confine the files that the solver writes");

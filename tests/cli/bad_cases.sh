@@ -15,7 +15,7 @@ spoilt() {
 }
 
 restore
-expect 0 '*good: 1 points, 1 checks: within' run --output out0
+expect 0 '*good: 1 point, 1 check: within' run --output out0
 expect 2 'pulloff: no case is named nobody: expected one of good' run nobody
 expect 2 'pulloff: cases and --suite are given: expected one of them' run good --suite smoke
 expect 2 'pulloff: no case belongs to the suite extreme: expected one of smoke' run --suite extreme
@@ -26,10 +26,10 @@ expect 4 'pulloff: absent.yaml cannot be opened: No such file or directory' run 
 for infinity in .inf .Inf .INF +.inf; do
   restore
   sed -i "s/outer_radius: inf/outer_radius: $infinity/" "$file"
-  expect 0 '*good: 1 points, 1 checks: within*' run --output out0
+  expect 0 '*good: 1 point, 1 check: within*' run --output out0
 done
 { printf '\357\273\277' && cat "$file"; } >"$work/marked" && mv "$work/marked" "$file"
-expect 0 '*good: 1 points, 1 checks: within*' run --output out0
+expect 0 '*good: 1 point, 1 check: within*' run --output out0
 spoilt 's/outer_radius: inf/outer_radius: -.inf/' '8: scene.outer_radius is -.inf: expected a finite number > 0, or inf'
 spoilt 's/outer_radius: inf/outer_radius: .nan/' '8: scene.outer_radius is .nan: expected a finite number > 0, or inf'
 spoilt 's/outer_radius: inf/outer_radius: ".inf"/' '8: scene.outer_radius is .inf: expected a finite number > 0, or inf'

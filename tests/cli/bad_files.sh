@@ -45,10 +45,10 @@ else
 fi
 
 # A damaged record is solved again.
-expect 0 '*good: 1 points, 1 checks: within' run --output run
-expect 0 '*good: 1 points, 1 checks: within (kept)' run --output run
+expect 0 '*good: 1 point, 1 check: within' run --output run
+expect 0 '*good: 1 point, 1 check: within (kept)' run --output run
 printf '{"schema": ' >run/good/record.json
-mends good 1 0 '*good: 1 points, 1 checks: within' run --output run
+mends good 1 0 '*good: 1 point, 1 check: within' run --output run
 check 'the record is complete again' grep -q '"verdict": "within"' run/good/record.json
 
 # The report, if a script, the records or a program is missing.

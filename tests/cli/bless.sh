@@ -177,7 +177,7 @@ sed -i 's/^want/sweep: [{key: approach_end, values: [0.1, 0.2, 5]}]\nwant/; s/qu
 add_pin "$file" pull_off_force 1e-10 rel
 sed -i 's/, because: it is quick to bless again/&, when: [{key: approach_end, values: [0.1]}]/' "$file"
 expect 0 '*' bless good --reason 'one of two may fail' --output run
-says 'the one that must not fail' ' 1 pins, 0 moved, 1 new, 0 dropped$'
+says 'the one that must not fail' ' 1 pin, 0 moved, 1 new, 0 dropped$'
 check 'a fraction of solves is not listed as an oracle' test 0 -eq "$(grep -c '^# checked' "$pins")"
 sed -i 's/tolerance: 0.6/tolerance: 0.4/' "$file"
 refused 3 'good is not blessed: the solve of approach_end=5 failed: ' bless good --reason why

@@ -23,7 +23,7 @@ expect 2 'pulloff: --point is tabor=1: expected a number below 1, or words of a 
 check 'nothing was solved for these' test ! -e run
 explained 0 '^good pull_off_force scene: slack$' '^  fault      tolerance: .*: reduce it$'
 sed -i 's/tolerance: 1e-9/tolerance: 1e-12/' "$file"
-explained 0 '^good: 0 of 1 checks explained, the others are within$'
+explained 0 '^good: 0 of 1 check explained, the others are within$'
 expect 0 '*' explain good --output run --all
 check '--all explains also checks that are within' grep -q '^good pull_off_force scene: within$' "$work/stdout"
 
@@ -35,7 +35,7 @@ explained 1 '^good pull_off_force scene: outside$' '^  obtained   2$' '^  expect
   '^  difference -0.5, 5e+08 times the tolerance of 1e-9 abs$' \
   '^  where      approach .*, load -2, at minimum-1$' \
   '^  fault      program: .*no other reference covers this number' \
-  '^  tolerance  because it has a closed form$' '^good: 1 of 1 checks explained$'
+  '^  tolerance  because it has a closed form$' '^good: 1 of 1 check explained$'
 command=$(sed -n 's/^  rerun      pulloff //p' "$work/stdout")
 check 'the explanation states every key of the scene' test "$command" = \
   'solve --tabor 0 --radius 100 --outer-radius inf --scheme triangle --grading uniform --nodes 101'
@@ -83,7 +83,7 @@ assert c["because"] == "it has a closed form" and c["reference"] == "bradley"
 LOOK
 check 'the document' "$python" look.py <"$work/stdout"
 expect 1 '*' explain good --output run --point 0
-check '--point selects the other point' grep -q '^good: 1 of 1 checks explained$' "$work/stdout"
+check '--point selects the other point' grep -q '^good: 1 of 1 check explained$' "$work/stdout"
 
 # A solve that failed.
 restore

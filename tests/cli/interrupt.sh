@@ -50,7 +50,7 @@ rm "$PULLOFF_DATA/cases/long.yaml"
 write_long long 101
 "$program" run --output run --jobs 2 2>"$work/stderr"
 check 'the next run continues' test $? -eq 0
-expect_line 'finished before' 'good: 1 points, 1 checks: within (kept)'
+expect_line 'finished before' 'good: 1 point, 1 check: within (kept)'
 expect_line 'finished now' 'long: 6 points, 0 checks: within'
 "$program" run --output run 2>"$work/stderr"
 expect_line 'all kept' 'long: 6 points, 0 checks: within (kept)'
@@ -81,7 +81,7 @@ check 'exit code 130 after SIGINT during closed forms' test $? -eq 130
 check 'the closed forms are not completed' test ! -e lines/drawn/line-along.csv
 check 'there is no record' test ! -e lines/drawn/record.json
 write_lines 2
-expect 0 'drawn: 1 points, 0 checks: within (1 points kept)' run drawn --output lines
+expect 0 'drawn: 1 point, 0 checks: within (1 point kept)' run drawn --output lines
 check 'the next run writes the record' test -s lines/drawn/record.json
 rm "$PULLOFF_DATA/cases/drawn.yaml"
 

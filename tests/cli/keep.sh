@@ -7,9 +7,9 @@
 file=$PULLOFF_DATA/cases/good.yaml
 record=run/good/record.json
 
-expect 0 'good: 1 points, 1 checks: within' run --output run
+expect 0 'good: 1 point, 1 check: within' run --output run
 cp "$record" first.json
-expect 0 'good: 1 points, 1 checks: within (kept)' run --output run
+expect 0 'good: 1 point, 1 check: within (kept)' run --output run
 check 'a kept record is not written again' cmp first.json "$record"
 
 # A stored force that was altered used to be compared, and pinned. Now the point is solved again, and bless refuses.
@@ -17,7 +17,7 @@ stored() { grep -v -E '"(checksum|seconds|date)"|^ *[0-9.]+(e-[0-9]+)?$' "$1"; }
 stored first.json >stored
 sed 's/"force": 2.0/"force": 2.1/' first.json >"$record"
 check 'the force is altered' fails cmp -s first.json "$record"
-mends good 1 0 'good: 1 points, 1 checks: within' run --output run
+mends good 1 0 'good: 1 point, 1 check: within' run --output run
 stored "$record" >mended
 check 'the altered point is solved again' cmp stored mended
 cp first.json "$record"
@@ -29,39 +29,39 @@ check 'an altered counter is not pinned' test ! -e "$PULLOFF_DATA/cases/pins"
 # Whatever else was altered, the points that have their checksums are kept.
 sed 's/"verdict": "within"/"verdict": "outside"/' first.json >"$record"
 first='good: the record was altered; its results have their checksums and are kept'
-expect 0 'good: 1 points, 1 checks: within (kept)' run --output run
+expect 0 'good: 1 point, 1 check: within (kept)' run --output run
 first=
 check 'the altered verdict is replaced' fails grep -q '"outside"' "$record"
 
 sed -i 's/tolerance: 1e-9/tolerance: 1e-8/' "$file"
-expect 0 'good: 1 points, 1 checks: within (kept)' run --output run
+expect 0 'good: 1 point, 1 check: within (kept)' run --output run
 check 'a new tolerance is compared again' grep -q '"tolerance": 1.*e-0*8' "$record"
 
 write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2.5,0
-expect 0 'good: 1 points, 1 checks: outside (kept)' run --output run
+expect 0 'good: 1 point, 1 check: outside (kept)' run --output run
 check 'a new reference is compared again' grep -q '"expected": 2.5' "$record"
 check 'the verdict of the case is updated' grep -q '"verdict": "outside"' "$record"
 
 write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2,0
 sed -i 's/approach_end.*//; s/^  nodes: 101/  nodes: 101\n  approach_end: 0.1/' "$file"
-expect 0 'good: 1 points, 1 checks: within' run --output run
-expect 0 'good: 1 points, 1 checks: within' run --output run --fresh
+expect 0 'good: 1 point, 1 check: within' run --output run
+expect 0 'good: 1 point, 1 check: within' run --output run --fresh
 
 sed -i 's/^want: .*/want: [pull_off, curve, profile]/' "$file"
-expect 0 'good: 1 points, 1 checks: within' run --output run
+expect 0 'good: 1 point, 1 check: within' run --output run
 check 'a wanted curve is written' test -s run/good/curve-0.csv
 check 'a wanted profile is written' test -s run/good/profile-0.csv
-expect 0 'good: 1 points, 1 checks: within (kept)' run --output run
+expect 0 'good: 1 point, 1 check: within (kept)' run --output run
 rm run/good/curve-0.csv
-mends good 1 0 'good: 1 points, 1 checks: within' run --output run
+mends good 1 0 'good: 1 point, 1 check: within' run --output run
 check 'a lost curve is computed again' test -s run/good/curve-0.csv
 cp run/good/curve-0.csv curve.csv
 sed -i 's/^\(0,[^,]*\),[^,]*/\1,7/' run/good/curve-0.csv
-mends good 1 0 'good: 1 points, 1 checks: within' run --output run
+mends good 1 0 'good: 1 point, 1 check: within' run --output run
 check 'a changed curve is computed again' cmp curve.csv run/good/curve-0.csv
 
 sed -i 's/^want/repeats: 3\nwant/' "$file"
-expect 0 'good: 1 points, 1 checks: within' run --output run
+expect 0 'good: 1 point, 1 check: within' run --output run
 check 'three times for three repeats' test 3 -eq \
   "$(sed -n '/"seconds_all"/,/\]/p' "$record" | grep -c '[0-9]')"
 expect 0 '*' verify good --output run --junit out.xml

@@ -58,7 +58,7 @@ checks:
     because: the surface yields a little
     when: [{key: alpha, values: [0.25]}]
 CASE
-expect 0 '*good: 2 points, 1 checks: within' run --output out
+expect 0 '*good: 2 points, 1 check: within' run --output out
 record=out/good/record.json
 rigid=out/good/line-rigid.csv
 curve=out/good/line-curve.csv
@@ -119,7 +119,7 @@ lines:
 checks:
   - {quantity: solved_share, reference: every_scene, tolerance: 1e-9, kind: abs, because: the scene must be solved}
 CASE
-expect 0 '*good: 1 points, 1 checks: within' run --output out --fresh
+expect 0 '*good: 1 point, 1 check: within' run --output out --fresh
 profiles=out/good/line-profiles.csv
 laws=out/good/line-laws.csv
 check 'a profile in a table' test "$(column "$profiles" profile 3)" = 'power:0.001;4'

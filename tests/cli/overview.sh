@@ -9,13 +9,13 @@ line() { check "line $1: $2" test "$(sed -n "$1p" "$work/stdout")" = "$2"; }
 lines() { check "$1 lines" test "$(wc -l <"$work/stdout")" -eq "$1"; }
 
 # The rigid sphere to the last bits: the tolerance says nothing, which passes and is shown.
-expect 0 'good: 1 points, 1 checks: within' verify
+expect 0 'good: 1 point, 1 check: within' verify
 lines 3
 check 'slack is shown' grep -qE '^good +1 +0 +0 +[0-9.]+ +0\.000  pull_off_force, scene; 1 improved or slack$' "$work/stdout"
 line 3 '1 check passes (1 slack), 0 do not, 0 solves failed'
 
 write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2.0000000005,0
-expect 0 'good: 1 points, 1 checks: within*' verify
+expect 0 'good: 1 point, 1 check: within*' verify
 lines 3
 check 'the columns' grep -qE '^case +pass +fail +unsolved +seconds +\|err\|/tol +of the worst check$' "$work/stdout"
 check 'the case' grep -qE '^good +1 +0 +0 +[0-9.]+ +0\.500  pull_off_force, scene$' "$work/stdout"
@@ -71,7 +71,7 @@ def read(fd):
 code = os.waitstatus_to_exitcode(pty.spawn(sys.argv[1:], read))
 text = b"".join(received).decode().replace("\r\n", "\n")
 shown = [line.rsplit("\r", 1)[-1] for line in text.split("\n")]
-print(sum("good: 1 points" in line for line in shown), "0/1 solves" in text, code, file=open("seen", "w"))
+print(sum("good: 1 point" in line for line in shown), "0/1 solve" in text, code, file=open("seen", "w"))
 TERMINAL
 "$python" terminal.py "$program" verify --fresh >/dev/null </dev/null
 check 'progress, and nothing left of it' test "$(cat seen)" = '0 True 0'

@@ -84,8 +84,8 @@ check 'no path is printed as an option' grep -q 'pulloff bless ./-dash.yaml' pla
 (cd data && "$program" run cases/good.yaml --shard 1/1 --output ../built-in 2>"$work/stderr")
 check 'a case of the data folder is found by its path' test $? -eq 0
 check 'it is printed with its name' grep -q '"argument": "good"' built-in/shard-1-of-1.json
-expect 0 'good: 1 points, 1 checks: within' merge built-in --output merged
-expect 0 'good: 1 points, 1 checks: within (kept)' run good data/cases/good.yaml --output merged
+expect 0 'good: 1 point, 1 check: within' merge built-in --output merged
+expect 0 'good: 1 point, 1 check: within (kept)' run good data/cases/good.yaml --output merged
 
 # Two cases with the same name are refused.
 write_own taken.yaml good 21
@@ -98,17 +98,17 @@ write_own one.yaml twin 21
 write_own two.yaml twin 22
 expect 2 'pulloff: two.yaml: name is twin: expected another name, as one.yaml has this one' run one.yaml two.yaml
 # A file that is given twice is taken once, as a case that is named twice.
-expect 0 'twin: 1 points, 2 checks: outside' run one.yaml ./one.yaml --output twins
+expect 0 'twin: 1 point, 2 checks: outside' run one.yaml ./one.yaml --output twins
 cp twins/twin/record.json before.json
 expect 2 'pulloff: two.yaml: name is twin: expected another name or another folder for the records, as twins/twin contains the record of one.yaml' \
   run two.yaml --output twins --fresh
 check 'the record is unchanged' cmp before.json twins/twin/record.json
-expect 0 'twin: 1 points, 2 checks: outside (kept)' run ./one.yaml --output twins
+expect 0 'twin: 1 point, 2 checks: outside (kept)' run ./one.yaml --output twins
 mv one.yaml renamed.yaml
-expect 0 'twin: 1 points, 2 checks: outside (kept)' run renamed.yaml --output twins
-expect 0 'twin: 1 points, 2 checks: outside' run two.yaml --output twins
+expect 0 'twin: 1 point, 2 checks: outside (kept)' run renamed.yaml --output twins
+expect 0 'twin: 1 point, 2 checks: outside' run two.yaml --output twins
 # A wrong case file in the data folder does not affect a case outside it.
 echo 'name: [' >"$PULLOFF_DATA/cases/broken.yaml"
-expect 0 'twin: 1 points, 2 checks: outside (kept)' run two.yaml --output twins
+expect 0 'twin: 1 point, 2 checks: outside (kept)' run two.yaml --output twins
 expect 2 'pulloff: cases/broken.yaml:*' run good --output twins
 finish

@@ -109,7 +109,7 @@ for table in drawn/curve-0.csv drawn/curve-6.csv rigid/profile-3.csv; do
   check "$table is the same" cmp merged/$table whole/$table
 done
 check 'every case is reported' test "$(grep -c 'within$' said)" -eq 4
-expect 0 'drawn: 7 points, 1 checks: within (kept)' run drawn --output merged
+expect 0 'drawn: 7 points, 1 check: within (kept)' run drawn --output merged
 ends 0 merge --output part-1 part-1 part-2 part-3
 ends 0 merge --output again part-1 part-2 part-3
 strip again/drawn/record.json >joined
@@ -120,7 +120,7 @@ check 'the folder of a shard that became the complete run can be merged again' c
 for k in 2 1; do
   ends 0 run drawn --output shared --shard $k/2
 done
-expect 0 'drawn: 7 points, 1 checks: within' merge --output joined-shared shared
+expect 0 'drawn: 7 points, 1 check: within' merge --output joined-shared shared
 strip joined-shared/drawn/record.json >joined
 check 'shards may share a folder' cmp joined at-once
 

@@ -145,19 +145,19 @@ def test_a_case_with_two_series(data):
     write(data, EVERY_4)
     planned = expect(0, "", "plan good")
     assert "in tabor along 2 series of 6 scenes; every 4 scenes one is traced" in planned.out
-    expect(0, "good: 12 points, 1 checks: within", "run good --output whole --jobs 2")
+    expect(0, "good: 12 points, 1 check: within", "run good --output whole --jobs 2")
     whole, record = "whole/good/record.json", "traced/good/record.json"
     assert sum(p["followed"] for p in load(whole)["points"]) >= 6
 
     # A series is solved as a whole, whichever of its points are kept or selected.
-    expect(0, "good: 3 of 12 points, 1 checks: within", "run good --output parts --points 7-9")
-    expect(0, "good: 12 points, 1 checks: within (3 points kept)", "run good --output parts --jobs 1")
+    expect(0, "good: 3 of 12 points, 1 check: within", "run good --output parts --points 7-9")
+    expect(0, "good: 12 points, 1 check: within (3 points kept)", "run good --output parts --jobs 1")
     assert numbers("parts/good/record.json") == numbers(whole)
-    expect(0, "good: 12 points, 1 checks: within (kept)", "run good --output parts")
+    expect(0, "good: 12 points, 1 check: within (kept)", "run good --output parts")
 
     # With other checkpoints the results differ, so that none of them is kept.
     write(data, EVERY_4.replace("every: 4", "every: 3"))
-    expect(0, "good: 12 points, 1 checks: within", "run good --output parts --jobs 2")
+    expect(0, "good: 12 points, 1 check: within", "run good --output parts --jobs 2")
 
     # Some scenes are also traced; both values must agree.
     write(data, EVERY_4 + "\ntraced: {seed: 7, count: 3}", against="pull_off_force")
@@ -171,7 +171,7 @@ def test_a_case_with_two_series(data):
     assert numbers(record) == numbers(whole), "the traces do not change the followed values"
     drawn = traced_points(record)[1]["id"]
     expect(0, "good: 1 of 12 points, 2 checks: within", "run good --output one --points", drawn)
-    expect(0, "good: 12 points, 4 checks: within (1 points kept)", "run good --output one --jobs 1")
+    expect(0, "good: 12 points, 4 checks: within (1 point kept)", "run good --output one --jobs 1")
     assert traces("one/good/record.json") == traces(record)
 
     # A difference within the errors that both values state is no fault of either.

@@ -54,7 +54,7 @@ def test_the_record_and_one_that_is_made_from_it():
     records = []
     for title in "A loop", "The loop":
         path.write_text(CASE.format(title))
-        expect(0, "loop: 1 points, 0 checks: *", "run loop.yaml --output run")
+        expect(0, "loop: 1 point, 0 checks: *", "run loop.yaml --output run")
         records.append(load("run/loop/record.json")["points"][0])
         look(records[-1])
     first, kept = records

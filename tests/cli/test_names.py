@@ -23,7 +23,7 @@ LONG = [before + letter * (1 + 80 // len(letter.encode())) for before in ("", "a
 
 @pytest.mark.parametrize("name", LONG + ["not XML \ufffe\uffff", os.fsdecode(b"lat\344in"), os.fsdecode(b"lone\355\240\200")], ids=ascii)
 def test_folder(good, name):
-    case, output, kept = f"{name}/own.yaml", f"{name}/run", "own: 1 points, 4 checks: outside (kept)"
+    case, output, kept = f"{name}/own.yaml", f"{name}/run", "own: 1 point, 4 checks: outside (kept)"
     os.mkdir(name)
     text = (good.folder / "cases/good.yaml").read_text().replace("name: good", "name: own")
     pathlib.Path(case).write_text(text + CHECKS.lstrip("\n"))

@@ -46,7 +46,7 @@ def test_a_sphere(data):
     assert abs(units["force_n"] / 4.71238898038469e-9 - 1) < 1e-14 and units["length_m"] == 3e-10
     assert abs(found["force_n"] / 7.8728223e-9 - 1) < 1e-7
     assert abs(found["approach_m"] / (p["pull_off"]["approach"] * 3e-10) - 1) < 1e-14
-    expect(0, "si: 1 points, 1 checks: within (kept)", "run --output run")
+    expect(0, "si: 1 point, 1 check: within (kept)", "run --output run")
 
 
 def test_bradley(data):  # 2 pi w R

@@ -36,7 +36,7 @@ def command_after(lines, start):
 def test_random_scenes(data):
     data.case("scenes", CASE.format(0.6))
     expect(2, "pulloff: there is no such case in *", "run")
-    summary = expect(0, "*scenes: 6 points, 1 checks: within", "run --suite random --jobs 0")
+    summary = expect(0, "*scenes: 6 points, 1 check: within", "run --suite random --jobs 0")
     for line in ("^scenes: 6 of 6 points$", "^ok +3$", "^out_of_time +3$",
                  *(f"^{what} +[0-9.e-]+ +[0-9.e+-]+ +[0-9.e+-]+$" for what in ("seconds", "points", "nodes"))):
         assert summary.count(line), line
@@ -62,16 +62,16 @@ def test_random_scenes(data):
     assert point["sweep"].keys() == {"time_limit", "tabor", "radius", "wavelength", "amplitude"}
 
     # TAP and JUnit have the fraction, not the failures that it allows; it belongs to no single point.
-    assert expect(0, "scenes: 6 points, 1 checks: within (kept)", "verify scenes --tap").out.splitlines()[1] == "1..1"
+    assert expect(0, "scenes: 6 points, 1 check: within (kept)", "verify scenes --tap").out.splitlines()[1] == "1..1"
     expect(0, "*", "verify scenes --junit out.xml")
     assert '<testsuite name="scenes" tests="1" failures="0"' in pathlib.Path("out.xml").read_text()
-    assert expect(0, "*", "explain scenes").out == "scenes: 0 of 1 checks explained, the others are within\n"
+    assert expect(0, "*", "explain scenes").out == "scenes: 0 of 1 check explained, the others are within\n"
     assert expect(0, "*", "explain scenes --all").count("^scenes solved_share -: within$")
     assert expect(0, "*", "verify --verbose scenes").count("^scenes +solved_share +- +0.5 +1 ")
 
     # Too many solves failed.
     data.case("scenes", CASE.format(0.4))
-    verified = expect(3, "scenes: 6 points, 1 checks: failed (kept)", "verify --verbose scenes")
+    verified = expect(3, "scenes: 6 points, 1 check: failed (kept)", "verify --verbose scenes")
     assert verified.count("outside: 3 of 6 points failed, first point 1: after 1e-09 s")
     told = expect(3, "*", "explain scenes --json").json
     (c,) = told["checks"]

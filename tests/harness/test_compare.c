@@ -196,7 +196,7 @@ static const struct {
      "1 of 2 points failed, first point 1: late"},
     {"0.4", PO_OUT_OF_TIME, PO_OK, "", 0.5, PO_OUTSIDE,
      "1 of 2 points failed, first point 0: late"},
-    {"0.6", PO_OK, PO_OUT_OF_TIME, "", 0.5, PO_OUTSIDE, "1 of 1 failures have no reason"},
+    {"0.6", PO_OK, PO_OUT_OF_TIME, "", 0.5, PO_OUTSIDE, "1 of 1 failure has no reason"},
 };
 
 START_TEST(share_of_the_scenes_solved) {
