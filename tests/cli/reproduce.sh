@@ -113,8 +113,16 @@ asked 'verify fig03 fig03 --output build/run'
 reproduce 0 --no-install --only fig05
 asked 'report .*'
 not_asked '^verify'
+# A part that is no case makes what it is about, and no report, if there is no record of a case: a report of nothing was a
+# failure with status 4, after the page or the matrix of faults had been made.
 reproduce 0 --no-install --only faults
 asked 'faults --reuse --build build'
+not_asked '^report'
+check 'why there is no report' grep -q -x 'No report, because build/run has no record of a case: .*' "$work/stdout"
+check 'no step of a report' grep -q '^\[4/4\] Planting faults ' "$work/stdout"
+mkdir -p "$tree/build/run/fig03"
+: >"$tree/build/run/fig03/record.json"
+reproduce 0 --no-install --only faults
 asked 'report .*'
 not_asked '^verify'
 
@@ -165,6 +173,10 @@ asked 'page --no-install'
 check 'the page is beside the report' test -s "$tree/build/report/live.html"
 reproduce 0 --no-install --only cost
 asked 'page --no-install'
+rm -r "$tree/build/report/live.html" "$tree/build/run/fig03"
+reproduce 0 --no-install --only live
+not_asked '^report'
+check 'the page without a report' grep -q -x 'Page: build/report/live.html' "$work/stdout"
 rm "$tree/build/report/live.html"
 
 # Failures are reported, and the exit code states them.
