@@ -4,6 +4,7 @@ import ast
 import math
 import operator
 
+import scipy.interpolate
 import scipy.special
 
 OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
@@ -18,6 +19,23 @@ def pick(values, where, low, high):
 def where(extreme, values, places):
     """The place of the largest (max) or smallest (min) of the values."""
     return extreme(zip(values, places, strict=True))[1]
+
+
+def through(values, places):
+    """The cubic spline through values at places, in ascending order of the places."""
+    places, values = zip(*sorted(dict(zip(places, values, strict=True)).items()))
+    return scipy.interpolate.CubicSpline(places, values)
+
+
+def located(extreme, values, places, low, high):
+    """(value, place) of the largest (max) or smallest (min) value between two places, those included, of the cubic spline
+    through the values. Beyond the first and the last place there are no values."""
+    curve = through(values, places)
+    low, high = max(low, curve.x[0]), min(high, curve.x[-1])
+    if low > high:
+        raise ValueError("there are no values between the two places")
+    stationary = curve.derivative().roots(extrapolate=False)
+    return extreme((float(curve(place)), float(place)) for place in [low, high, *(at for at in stationary if low < at < high)])
 
 
 def ratios(above, below):
@@ -69,6 +87,8 @@ FUNCTIONS = {"sqrt": math.sqrt, "cos": math.cos, "sin": math.sin, "log10": math.
              "worst": worst, "farthest": farthest, "pick": pick, "ratios": ratios,
              "differences": differences, "scaled": lambda values, factor: [value * factor for value in values],
              "greatest_at": greatest_at, "distinct": lambda values: sorted(set(values)), "crossing": crossing,
+             "highest": lambda *given: located(max, *given)[0], "lowest": lambda *given: located(min, *given)[0],
+             "place_of_lowest": lambda *given: located(min, *given)[1], "logs": lambda values: [math.log10(value) for value in values],
              "where_greatest": lambda values, places: where(max, values, places),
              "where_least": lambda values, places: where(min, values, places),
              "last": lambda values, *number: values[-number[0]:] if number else values[-1], "first": lambda values: values[0],

@@ -1,7 +1,9 @@
 """The claims of the paper: the list is sound, and verdicts follow from numbers."""
 
+import ast
 import csv
 import json
+import math
 import os
 import re
 import stat
@@ -52,6 +54,20 @@ class Listed(unittest.TestCase):
             for choice in book.choices(claim):
                 for name, source in choice["get"].items():
                     yield f"{claim['id']}.{name}", source
+
+    def test_no_entry_takes_a_node_of_a_curve_for_its_extreme(self):
+        """The largest tension of a profile, and the largest load of Eq 5 against the contact radius, lie between the nodes: with
+        the nodes a ratio of 3.378 was 3.400, and a span of 10.12 was 7.20."""
+        found = []
+        for claim in self.claims:
+            for choice in book.choices(claim):
+                curves = {name for name, source in choice["get"].items() if source.get("at", "").startswith(("profile.", "curve", "line-"))
+                          or re.search(r"--(contact-radius|approach) \{", source.get("pulloff", ""))}
+                calls = [node for node in ast.walk(formula.parse(choice["value"] or "0")) if isinstance(node, ast.Call)]
+                found += [claim["id"] for call in calls if call.func.id in ("max", "min", "where_greatest", "where_least")
+                          for part in call.args for name in ast.walk(part) if isinstance(name, ast.Name) and name.id in curves
+                          and not any(name in ast.walk(inner) for inner in calls if inner.func.id in ("farthest", "highest", "lowest"))]
+        self.assertEqual(found, [])
 
     def test_every_place_of_the_paper_with_a_figure_or_an_equation_is_there(self):
         places = " ".join(claim["where"] for claim in self.claims)
@@ -217,6 +233,16 @@ class Formulas(unittest.TestCase):
         self.assertEqual(formula.evaluate("last(distinct(x))", {"x": [3, 1, 3]}), 3)
         self.assertEqual(formula.evaluate("total(last(x, 2))", {"x": [3, 1, 4]}), 5)
         self.assertEqual(formula.evaluate("worst(x, 2)", {"x": [3, 0, 3]}), 0)
+
+    def test_extremes_are_located_between_the_points(self):
+        """Those of a sine whose points miss them: 0.2 apart, the largest at 1.6."""
+        at = [0.2 * k for k in range(15, -1, -1)]
+        values = {"x": at, "y": [math.sin(x) for x in at]}
+        for text, expected in (("highest(y, x, 0, 3)", 1), ("highest(y, x, 0, 0.9)", math.sin(0.9)), ("lowest(y, x, 0.7, 2)", math.sin(0.7)),
+                               ("place_of_lowest(scaled(y, -1), x, -5, 5)", math.pi / 2), ("lowest(y, x, -1, 1)", 0)):
+            self.assertAlmostEqual(formula.evaluate(text, values), expected, places=3)
+        self.assertEqual(formula.evaluate("first(logs(x))", {"x": [100]}), 2)
+        self.assertRaises(formula.FormulaError, formula.evaluate, "highest(y, x, 4, 5)", values)
 
     def test_the_distance_of_two_curves(self):
         line = {"x": [0, 2, 2], "y": [0, 0, 4]}
