@@ -30,7 +30,7 @@ export function makeFigures(part, figures, compiled, source) {
   function show(name) {
     ++run;
     for (const job of jobs) job.stop();
-    if (!figures[name]) return false;
+    if (!Object.hasOwn(figures, name)) return false;
     choice.value = name;
     button.textContent = 'Recompute this figure';
     state.textContent = `${figures[name].scenes.length} scenes`;
@@ -81,5 +81,5 @@ export function makeFigures(part, figures, compiled, source) {
     else recompute();
   });
   show(choice.value);
-  return {show, first: () => figures[choice.value].scenes[0][0]};
+  return {show, first: () => figures[choice.value].scenes[0][0], names: Object.keys(figures)};
 }

@@ -66,11 +66,12 @@ export function fillTable(table, heads, rows) {
 }
 
 // The rows of the preload that a pull-off needs.
-function preloadRows({preload, approach}, u) {
-  if (preload?.approach == null) return [];
-  if (preload.approach === approach) return [['Preload needed', 'none: any contact suffices', '']];
+function preloadRows({preload, until, approach}, u) {
+  if (preload?.approach == null) return [['Preload needed', 'no test at given approach measures this minimum of the load', '']];
+  const upTo = until?.approach == null ? '' : `up to ${withError(until.approach * u.length)} ${u.lengthName}`;
+  if (preload.approach === approach) return [['Preload needed', `none: any contact suffices${upTo ? `, ${upTo} of approach` : ''}`, '']];
   return [
-    ['Preload needed: approach beyond', withError(preload.approach * u.length), u.lengthName],
+    ['Preload needed: approach beyond', withError(preload.approach * u.length), `${u.lengthName}${upTo ? `, ${upTo}` : ''}`],
     ['Load there', withError(preload.load * u.force), `${u.forceName}${preload.load < 0 ? '; negative: no compression is needed' : ''}`],
   ];
 }
@@ -83,6 +84,21 @@ function waveRows({waves, radius, profile}) {
     ['A/λ', withError(amplitude / wavelength), ''],
     ['α = AR/λ²', withError((amplitude * radius) / wavelength ** 2), ''],
   ];
+}
+
+// What preloads harder than the usual one give, by an answer of a solve that went on beyond it: as the line `harder` of the program.
+export function harderWords(answer) {
+  const {pull_off: p, pull_off_any: any, status} = answer.document,
+    u = unitsOf(answer);
+  if (status !== 'ok' || !p) return 'not known: the search found no pull-off';
+  const place = (state) => `approach ${withError(state.approach * u.length)} ${u.lengthName} (load ${withError(state.load * u.force)} ${u.forceName})`;
+  const givesMore = any && any.force - p.force > Math.max(0, p.error_estimate) + Math.max(0, any.error_estimate);
+  const words = [];
+  if (givesMore) words.push(`loading beyond ${place(any.preload)} gives the pull-off force ${withError(any.force * u.force)} ${u.forceName}`);
+  else if (p.until.approach !== null)
+    words.push(`beyond approach ${withError(p.until.approach * u.length)} ${u.lengthName} the tension is greatest where loading is reversed`);
+  if (any) words.push(any.complete ? 'none gives a greater pull-off force' : `preloads beyond ${place(any.searched)} were not examined`);
+  return words.join('; ') || 'not examined, because the preload of the scene is given';
 }
 
 export const HELD = {displacement_control: 'at given approach', load_control: 'at given load', spring: 'through the spring'};

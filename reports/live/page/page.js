@@ -1,9 +1,9 @@
 // The page: the scene of the address is solved, and everything is drawn again when it changes.
-import {commandOf, fragmentOf, hasSpring, inOtherUnits, loadUnitOf, requestOf, requestOfJkr, sceneOf, tableOf, withSpring, TABLE_NAME} from './scene.js';
+import {commandOf, fragmentOf, hasSpring, inOtherUnits, loadUnitOf, progressOf, requestOf, requestOfJkr, sceneOf, tableOf, withSpring, TABLE_NAME} from './scene.js';
 import {makeFigures} from './figures.js';
 import {makeForm} from './form.js';
 import {makeJobs} from './jobs.js';
-import {fillTable, HELD, mainRows, pullOffOf, specialRows, theoryRows, unitsOf, withError} from './numbers.js';
+import {fillTable, harderWords, HELD, mainRows, pullOffOf, specialRows, theoryRows, unitsOf, withError} from './numbers.js';
 import {makeSeries} from './series.js';
 import {drawLoad, drawProfile, drawProgress, drawStaircase, isStable, rangesOfProfiles} from './views.js';
 
@@ -22,7 +22,7 @@ function unpack(id) {
 }
 const compiled = unpack('module').arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
 compiled.catch((error) => report(`This browser cannot run the solver: ${error.message}`));
-const [main, side, stairs, follower] = [0, 1, 2, 3].map(() => makeJobs(compiled, $('worker').textContent));
+const [main, side, stairs, follower, beyond] = [0, 1, 2, 3, 4].map(() => makeJobs(compiled, $('worker').textContent));
 
 const figures = makeFigures($('figures'), await unpack('records').json(), compiled, $('worker').textContent);
 const series = makeSeries($('series'), follower, (name, text) => {
@@ -32,18 +32,23 @@ const series = makeSeries($('series'), follower, (name, text) => {
 let kept = null, // {scene, fragment}: the address of a figure, until the reader changes its scene
   isFigureWanted = false; // until its first solve is drawn
 let {scene, messages} = sceneOfAddress();
-let shown = null; // {answer, profiles, ranges, jkr} of the scene that is drawn
+let shown = null; // {answer, asked, profiles, ranges, jkr} of the scene `asked`, which is drawn
 let chosen = 0,
   hasChosen = false,
   view = null,
   turn = 0;
 const control = () => document.querySelector('input[name=control]:checked').value;
+// The control in which a scene can be shown: with a spring, and only then, it is that of the spring.
+const controlOf = (asked) => (hasSpring(asked) ? 'spring' : control() === 'spring' ? 'displacement_control' : control());
 
 // The scene of the address; #figure=NAME shows a figure of the report and its first scene.
 function sceneOfAddress() {
-  const name = /^#figure=(\w{1,40})$/.exec(location.hash)?.[1];
-  if (!name) return sceneOf(location.hash || START);
-  if (!figures.show(name)) return {scene: {}, messages: [`This page has no scenes of a figure ${name}.`]};
+  const name = /^#figure=([^&]*)$/.exec(location.hash)?.[1];
+  if (name === undefined) return sceneOf(location.href.includes('#') ? location.hash : START);
+  if (!figures.show(name)) {
+    const others = figures.names.length ? `only of ${figures.names.join(', ')}` : 'nor of any other: it was made without the records of the figures';
+    return {...sceneOf(START), messages: [`This page has no scenes of the figure ${name.slice(0, 40) || 'without a name'}, ${others}. Another scene is shown.`]};
+  }
   const first = sceneOf(figures.first());
   kept = {scene: first.scene, fragment: location.hash};
   isFigureWanted = true;
@@ -77,6 +82,8 @@ function changeScene() {
   $('si').checked = 'from-physical' in scene;
   $('hint').hidden = $('si').checked;
   showUnits();
+  beyond.stop();
+  showWhose();
   if (hasSpring(scene)) $('spring').checked = true;
   else if ($('spring').checked) document.querySelector('input[name=control]').checked = true;
   form.show(scene);
@@ -85,18 +92,33 @@ function changeScene() {
   if ($('stairs').open) solveStaircase();
 }
 
+// Says of which scene the numbers and figures are, if it is not that of the form: while this one is solved, and when its solve
+// failed or was stopped.
+function showWhose() {
+  const isOther = shown !== null && shown.asked !== scene;
+  document.body.classList.toggle('stale', isOther);
+  $('whose').hidden = !isOther;
+  $('summary').hidden = $('harder').hidden = isOther;
+  const curve = $('load').classList.contains('progress') ? 'The curve is that of the scene of the form, as far as it is computed; the other figures and numbers' : 'Figures and numbers';
+  $('whose').textContent = isOther ? `${curve} are those of another scene: ${commandOf(shown.asked)}` : '';
+}
+
 async function solve() {
   const mine = ++turn,
     asked = scene,
+    how = progressOf(scene),
     points = [];
   $('busy').hidden = true;
   const timer = setTimeout(() => mine === turn && main.isBusy() && showProgress({points: []}, QUIET / 1000), QUIET);
   const showProgress = (progress, seconds) => {
-    for (let k = 0; k < progress.points.length; k += 2) points.push({x: progress.points[k], y: progress.points[k + 1]});
+    for (let k = 0; k < progress.points.length; k += 2) points.push([progress.points[k], progress.points[k + 1]]);
     if (mine !== turn || seconds < QUIET / 1000) return;
     $('busy').hidden = false;
     $('busy-text').textContent = `Solving: ${points.length} points, ${seconds.toFixed(1)} s`;
-    if (points.length > 1) drawProgress($('load'), points);
+    if (points.length < 2) return;
+    $('load').classList.add('progress');
+    drawProgress($('load'), points, how);
+    showWhose();
   };
   const {answer, profiles, seconds} = await main.ask(requestOf(asked, WANT), showProgress);
   clearTimeout(timer);
@@ -104,20 +126,17 @@ async function solve() {
   if (mine !== turn && answer.error) return;
   if (mine === turn) $('busy').hidden = true;
   const meant = form.mark(answer.error && !answer.stopped ? answer.error : '');
-  document.body.classList.toggle('stale', Boolean(answer.error));
   if (answer.error) {
-    report(
-      ...messages,
-      answer.error === 'stopped' ? 'The solve was stopped. The figures show the previous scene.' : answer.error + meant,
-    );
+    report(...messages, answer.error === 'stopped' ? 'The solve was stopped.' : answer.error + meant);
     if (shown) drawAll();
     return;
   }
   const result = answer.document;
-  report(
-    ...messages,
-    result.status === 'ok' ? '' : `The solve ended early: ${result.reason}. What was found until then is shown.`,
-  );
+  if (mine === turn)
+    report(
+      ...messages,
+      result.status === 'ok' ? '' : `The solve ended early: ${result.reason}. What was found until then is shown.`,
+    );
   shown = {answer, asked, seconds, profiles: new Map(profiles), jkr: [], ranges: rangesOfProfiles(answer, profiles)};
   const p = pullOffOf(result);
   choose(
@@ -129,7 +148,9 @@ async function solve() {
   drawAll();
   if (isFigureWanted && kept?.scene === asked) $('figures').scrollIntoView();
   isFigureWanted = false;
-  if (mine === turn) evaluateJkr(mine, asked);
+  if (mine !== turn) return;
+  evaluateJkr(shown);
+  searchHarder(shown);
 }
 
 let chosenState = null;
@@ -151,15 +172,16 @@ function choose(number) {
 
 function showNumbers() {
   const {answer, asked, seconds} = shown,
-    isOwn = control() === 'displacement_control',
+    held = controlOf(asked),
+    isOwn = held === 'displacement_control',
     result = answer.document,
     u = unitsOf(answer),
     p = pullOffOf(result);
-  fillTable($('numbers'), [], mainRows(answer, control()));
+  fillTable($('numbers'), [], mainRows(answer, held));
   fillTable(
     $('special'),
     ['point', `approach (${u.lengthName})`, `load (${u.forceName})`, `contact radius (${u.lengthName})`, `unstable modes after it${isOwn ? '' : ' (at given approach)'}`],
-    specialRows(answer, control()),
+    specialRows(answer, held),
   );
   fillTable(
     $('theories'),
@@ -179,10 +201,12 @@ function showNumbers() {
 }
 
 function drawAll() {
+  $('load').classList.remove('progress');
+  showWhose();
   view = drawLoad($('load'), {
     ...shown,
     jkr: $('jkr').checked ? shown.jkr : [],
-    control: control(),
+    control: controlOf(shown.asked),
     whole: $('whole').checked,
     chosen,
   });
@@ -192,12 +216,13 @@ function drawAll() {
 }
 
 function drawChosen() {
-  const {answer, profiles, ranges} = shown,
+  const {answer, asked, profiles, ranges} = shown,
+    held = controlOf(asked),
     u = unitsOf(answer),
     p = answer.document.curve[chosen];
   if (!p) return;
   const state = `at approach ${withError(p.approach * u.length)} ${u.lengthName}, load ${withError(p.load * u.force)} ${u.forceName}`;
-  const words = `${state}, contact radius ${withError(p.contact_radius * u.length)} ${u.lengthName}, ${isStable(answer, p, control()) ? 'stable' : 'unstable'} ${HELD[control()]}`;
+  const words = `${state}, contact radius ${withError(p.contact_radius * u.length)} ${u.lengthName}, ${isStable(answer, p, held) ? 'stable' : 'unstable'} ${HELD[held]}`;
   $('point').value = chosen;
   $('point').setAttribute('aria-valuetext', words);
   $('state').textContent = `Equilibrium ${words}`;
@@ -213,25 +238,37 @@ function moveTo(number) {
   drawAll();
 }
 
-async function evaluateJkr(mine, asked) {
-  const {document: result} = shown.answer,
+async function evaluateJkr(own) {
+  const {document: result} = own.answer,
     points = [],
     largest = 1.02 * Math.max(...result.curve.map((p) => p.contact_radius));
   const waves = result.input.wavelength && result.input.waves ? largest / result.input.wavelength : 0;
   const count = Math.min(JKR_POINTS.most, Math.max(JKR_POINTS.least, Math.ceil(JKR_POINTS.perWave * waves)));
   const steps = [...JKR_FIRST, ...Array.from({length: count}, (_, k) => k + 1)];
   for (const step of result.input.tabor > 0 && largest > 0 ? steps : []) {
-    const {answer: form} = await side.ask(requestOfJkr(asked, result.input, (largest * step) / count));
-    if (mine !== turn) return;
+    const {answer: form} = await side.ask(requestOfJkr(own.asked, result.input, (largest * step) / count));
+    if (shown !== own) return;
     points.push(form.document);
   }
-  shown.jkr = points;
-  drawAll();
+  own.jkr = points;
+  if (!$('load').classList.contains('progress')) drawAll();
+}
+
+// What harder preloads give: another solve, which goes on beyond the usual preload.
+async function searchHarder(own) {
+  const show = (words) => ($('harder').textContent = `Harder preload: ${words}.`);
+  show('being searched');
+  const {answer} = await beyond.ask(requestOf(withSpring(own.asked, false), ''));
+  if (shown === own) show(answer.error ? 'not known: the search was stopped' : harderWords(answer));
 }
 
 async function solveStaircase() {
   const asked = scene;
   const began = performance.now();
+  shownStaircase = null;
+  $('staircase').replaceChildren();
+  fillTable($('steps'), [], []);
+  $('stairs-command').textContent = $('stairs-digest').textContent = '';
   $('stairs-state').textContent = 'Solving for every preload …';
   const {answer} = await stairs.ask(requestOf(asked, WANT_STAIRCASE), (progress, seconds) => {
     $('stairs-state').textContent = `Solving for every preload: ${seconds.toFixed(1)} s`;
@@ -239,30 +276,34 @@ async function solveStaircase() {
   if (asked !== scene) return;
   $('stairs-state').textContent =
     answer.error ?? `Solved in ${((performance.now() - began) / 1000).toFixed(2)} s. ${answer.document.reason}`;
-  shownStaircase = answer.error ? null : answer;
+  if (answer.error) return;
+  shownStaircase = answer;
   $('stairs-command').textContent = commandOf(asked, WANT_STAIRCASE);
-  $('stairs-digest').textContent = answer.document?.digest ?? '';
+  $('stairs-digest').textContent = answer.document.digest;
   drawStairs();
 }
 
 let shownStaircase = null;
 function drawStairs() {
   if (!shownStaircase || !$('stairs').open) return;
-  const u = unitsOf(shownStaircase);
+  const u = unitsOf(shownStaircase),
+    held = control() === 'load_control' ? 'load_control' : 'displacement_control'; // a spring has no staircase of its own
+  $('steps').caption.textContent = `${HELD[held]}, a harder preload gives another force from these states on`;
   fillTable(
     $('steps'),
     [`from the load (${u.forceName})`, `from the approach (${u.lengthName})`, `pull-off force (${u.forceName})`],
-    drawStaircase($('staircase'), shownStaircase, control()),
+    drawStaircase($('staircase'), shownStaircase, held),
   );
 }
 
 // What the reader does.
 $('load').addEventListener('pointerdown', (event) => {
+  if (!view || $('load').classList.contains('progress')) return;
   $('load').setPointerCapture(event.pointerId);
   moveTo(view.nearest(event.offsetX, event.offsetY));
 });
 $('load').addEventListener('pointermove', (event) => {
-  if (event.buttons && view) moveTo(view.nearest(event.offsetX, event.offsetY));
+  if (event.buttons && view && !$('load').classList.contains('progress')) moveTo(view.nearest(event.offsetX, event.offsetY));
 });
 $('point').addEventListener('input', () => moveTo(Number($('point').value)));
 for (const id of ['whole', 'jkr']) $(id).addEventListener('change', () => shown && drawAll());
@@ -283,8 +324,9 @@ $('figures').addEventListener('change', () => {
   history.replaceState(null, '', fragmentOf(scene));
 });
 $('si').addEventListener('change', () => {
-  scene = inOtherUnits(scene, shown?.answer.document.input);
-  messages = [];
+  const other = inOtherUnits(scene);
+  scene = other.scene;
+  messages = other.lost.length ? [`In the other units the page does not have ${other.lost.join(', ')}: left out.`] : [];
   changeScene();
 });
 $('stop').addEventListener('click', () => main.stop());
@@ -297,7 +339,7 @@ addEventListener('hashchange', () => {
   changeScene();
 });
 addEventListener('resize', () => {
-  if (shown) drawAll();
+  if (shown && !$('load').classList.contains('progress')) drawAll();
   drawStairs();
 });
 

@@ -206,11 +206,17 @@ export const commandOfSeries = (scene, {key, from, to, points, log}) =>
 // The fields that a series can vary.
 export const variedFields = (scene) => fieldsOf(scene).filter(({range, part, name}) => range && !part && !isSI(scene) && name !== 'table-scale');
 
-export const fragmentOf = (scene) =>
-  '#' +
-  optionsOf(scene)
-    .map(([name, text]) => (text === '' ? name : `${name}=${encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3B/g, ';')}`))
-    .join('&');
+// The address of a scene. It is not empty for the scene of all usual values, because an address without a scene is that of
+// another scene (START in page.js).
+export function fragmentOf(scene) {
+  const options = optionsOf(scene);
+  return (
+    '#' +
+    (options.length ? options : [['tabor', valueOf(scene, 'tabor')]])
+      .map(([name, text]) => (text === '' ? name : `${name}=${encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3B/g, ';')}`))
+      .join('&')
+  );
+}
 
 const LONGEST = 200, // characters of a value
   LONGEST_TABLE = 1e6;
@@ -236,7 +242,11 @@ export function sceneOf(fragment) {
       messages.push(`The value of ${name} in the address is longer than ${field.isTable ? LONGEST_TABLE : LONGEST} characters.`);
     else if (field.choices && !field.choices.includes(text))
       messages.push(`${name} is ${text.slice(0, 40)}: expected ${field.choices.join(', ')}.`);
-    else if (text !== '') scene[name] = text;
+    else if (text === '') messages.push(`The address has no value of ${name}.`);
+    else {
+      if (name in scene) messages.push(`The address has ${name} more than once: the last one is taken.`);
+      scene[name] = text;
+    }
   }
   for (const name of Object.keys(scene))
     if (name !== 'from-physical' && !has(scene, FIELD.get(name))) {
@@ -248,34 +258,62 @@ export function sceneOf(fragment) {
 
 const rounded = (value) => String(Number(value.toPrecision(6)));
 
-const OF_BOTH = ['law', 'tolerance', 'scheme', 'nodes', 'grading'];
+const numberOf = (scene, name) => Number(valueOf(scene, name) || NaN);
 
-// The scene of a sphere in the other units: SI units for the usual work of adhesion and distance, to six digits; epsilon for
-// the member `input` of its result.
-export function inOtherUnits(scene, input) {
-  const law = Object.fromEntries(
-    Object.entries(scene).filter(([name]) => !FIELD.get(name) || FIELD.get(name).law || OF_BOTH.includes(name)),
-  );
-  if (isSI(scene)) {
-    delete law['from-physical'];
-    for (const name of ['tabor', 'radius', 'amplitude', 'wavelength', 'stiffness', 'preload_load'])
-      if (input?.[name]) law[name.replace('_', '-')] = rounded(input[name]);
-    return law;
+// The units of a sphere in SI units: of length in m, of the load in N; 1 for a scene in epsilon.
+function scalesOf(scene) {
+  const length = isSI(scene) ? numberOf(scene, 'distance-m') : 1;
+  return {length, force: isSI(scene) ? Math.PI * numberOf(scene, 'work-j-per-m2') * numberOf(scene, 'radius-m') : 1};
+}
+
+// How the points of an unfinished trace, approach in epsilon and load in its unit, are drawn: as those of the result.
+export function progressOf(scene) {
+  const {length, force} = scalesOf(scene),
+    stiffness = hasSpring(scene) ? (numberOf(scene, stiffnessName(scene)) * length) / force : Infinity;
+  const [long, strong] = isSI(scene) ? [length * 1e9, force * 1e9] : [1, 1];
+  return {
+    x: (approach, load) => (approach + load / stiffness) * long,
+    y: (load) => load * strong,
+    label: `${hasSpring(scene) ? 'base of the spring: approach + load/k' : 'approach'} (${isSI(scene) ? 'nm' : 'ε'})`,
+    loadLabel: `load (${isSI(scene) ? 'nN' : loadUnitOf(scene)})`,
+  };
+}
+
+// What a sphere has in both units: its fields in epsilon and in SI units, and whether they are a length or a load; a
+// stiffness is a load over a length.
+const CONVERTED = [
+  ['radius', 'radius-m', 1, 0],
+  ['amplitude', 'amplitude-m', 1, 0],
+  ['wavelength', 'wavelength-m', 1, 0],
+  ['outer-radius', 'outer-radius-m', 1, 0],
+  ['preload-load', 'preload-load-n', 0, 1],
+  ['stiffness', 'stiffness-n-per-m', -1, 1],
+];
+const OF_BOTH = ['law', 'tolerance', 'scheme', 'nodes', 'grading', 'time-limit'];
+
+// A scene in the other units, to six digits, and the names of its options that the other units do not have. SI units are those
+// of a sphere, for the usual work of adhesion and distance.
+export function inOtherUnits(scene) {
+  const toSI = !isSI(scene),
+    made = Object.fromEntries(Object.entries(scene).filter(([name]) => FIELD.get(name)?.law || OF_BOTH.includes(name)));
+  if (toSI) made['from-physical'] = '';
+  const number = (name) => numberOf(scene, name),
+    distance = numberOf(toSI ? {} : scene, 'distance-m'),
+    work = numberOf(toSI ? {} : scene, 'work-j-per-m2');
+  const force = Math.PI * work * (toSI ? number('radius') * distance : number('radius-m'));
+  const taken = ['from-physical', ...Object.keys(made), 'tabor', 'modulus-pa', 'work-j-per-m2', 'distance-m'];
+  for (const names of CONVERTED) {
+    const [from, to] = toSI ? names : [names[1], names[0]],
+      scale = (distance ** names[2] * force ** names[3]) ** (toSI ? 1 : -1);
+    if (Number.isFinite(number(from) * scale)) made[to] = rounded(number(from) * scale);
+    taken.push(from);
   }
-  const work = Number(FIELD.get('work-j-per-m2').usual),
-    distance = Number(FIELD.get('distance-m').usual);
-  const number = (name) => Number(valueOf(scene, name) || NaN);
-  const stiffness = Math.PI * work * number('radius'); // pi w R/epsilon, N/m
-  const values = {
-    'radius-m': number('radius') * distance,
-    'amplitude-m': number('amplitude') * distance,
-    'wavelength-m': number('wavelength') * distance,
-    'stiffness-n-per-m': number('stiffness') * stiffness,
-    'preload-load-n': number('preload-load') * stiffness * distance,
-    'modulus-pa': (Math.sqrt(number('radius') / number('tabor')) * work) / (number('tabor') * distance),
-  }; // mu^3 = R w^2/(E*^2 epsilon^3)
-  for (const [name, value] of Object.entries(values)) if (Number.isFinite(value)) law[name] = rounded(value);
-  return {...law, 'from-physical': ''};
+  // mu^3 = R w^2/(E*^2 epsilon^3)
+  const values = toSI
+    ? {'modulus-pa': (Math.sqrt(number('radius') / number('tabor')) * work) / (number('tabor') * distance)}
+    : {tabor: Math.cbrt((number('radius-m') * (work / number('modulus-pa')) ** 2) / distance ** 3)};
+  for (const [name, value] of Object.entries(values)) if (Number.isFinite(value)) made[name] = rounded(value);
+  return {scene: made, lost: optionsOf(scene).map(([name]) => name).filter((name) => !taken.includes(name))};
 }
 
 // The request for a point of the JKR curve of a scene at a contact radius: what that theory takes of the member `input` of the

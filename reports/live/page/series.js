@@ -17,7 +17,8 @@ export function makeSeries(part, jobs, open) {
     (what) => part.querySelector(what),
   );
   let scene = {},
-    shown = null;
+    shown = null,
+    asked = null; // of the series that is shown or being computed
   const fieldOf = (name) => variedFields(scene).find((field) => field.name === name);
 
   function propose() {
@@ -31,16 +32,19 @@ export function makeSeries(part, jobs, open) {
   }
 
   async function compute() {
-    const asked = {key: choice.value, from: Number(from.value || NaN), to: Number(to.value || NaN), points: Math.min(MOST_POINTS, Math.round(Number(points.value))), log: log.checked};
-    const field = fieldOf(asked.key),
+    const own = scene;
+    asked = {key: choice.value, from: Number(from.value || NaN), to: Number(to.value || NaN), points: Math.min(MOST_POINTS, Math.round(Number(points.value))), log: log.checked};
+    const mine = asked,
+      field = fieldOf(asked.key),
       seen = new Set();
     button.textContent = 'Stop';
     state.textContent = 'Solving …';
-    const {answer, seconds} = await jobs.ask(requestOfSeries(scene, asked), (progress, elapsed) => {
+    const {answer, seconds} = await jobs.ask(requestOfSeries(own, asked), (progress, elapsed) => {
       for (let k = 0; k < progress.points.length; k += 2) seen.add(progress.points[k]);
       state.textContent = `${seen.size} of ${asked.points} scenes begun, ${elapsed.toFixed(1)} s`;
     });
     button.textContent = 'Compute';
+    if (mine !== asked) return;
     if (answer.error) {
       state.textContent = answer.error === 'stopped' ? 'Stopped.' : answer.error;
       return;
@@ -49,12 +53,21 @@ export function makeSeries(part, jobs, open) {
     state.textContent = `${asked.points} scenes in ${seconds.toFixed(1)} s${failed ? `, ${failed} without a pull-off` : ''}. A click on a point opens its scene.`;
     const unit = LOAD_UNITS[answer.load_unit];
     shown = {series: answer.series, unit, label: field.label, log: asked.log, name: asked.key};
-    command.textContent = commandOfSeries(scene, asked);
+    command.textContent = commandOfSeries(own, asked);
     fillTable(
       part.querySelector('table'),
       [field.label, `pull-off force (${unit})`, 'approach (ε)', 'status'],
       answer.series.map((row) => [withError(row.value), withError(row.force, row.error_estimate), withError(row.approach), row.status]),
     );
+    draw();
+  }
+
+  // A series belongs to its scene, whatever the value of the parameter that varies.
+  function forget() {
+    asked = shown = null;
+    jobs.stop();
+    state.textContent = command.textContent = '';
+    fillTable(part.querySelector('table'), [], []);
     draw();
   }
 
@@ -65,6 +78,7 @@ export function makeSeries(part, jobs, open) {
   return {
     show(next) {
       const before = choice.value;
+      if (asked && commandOfSeries(next, asked) !== commandOfSeries(scene, asked)) forget();
       scene = next;
       part.hidden = variedFields(scene).length === 0;
       choice.replaceChildren(...variedFields(scene).map(({name, label}) => new Option(label, name)));

@@ -1,10 +1,11 @@
 // The figures of the page: load against approach, gap and traction, staircase.
 import {draw, rangeOf} from './plot.js';
-import {kindOf, pullOffOf, unitsOf, withError} from './numbers.js';
+import {HELD, kindOf, pullOffOf, unitsOf, withError} from './numbers.js';
 
-// The stiffness of the control: infinite at given approach, 0 at given load.
+// The stiffness of the control: infinite at given approach, 0 at given load; that of a spring is known of a solve that ended
+// early, too.
 const stiffnessOf = ({document: result}, control) =>
-  control === 'load_control' ? 0 : control === 'spring' ? (result.hysteresis?.spring?.stiffness ?? Infinity) : Infinity;
+  control === 'load_control' ? 0 : control === 'spring' ? (result.input.stiffness ?? Infinity) : Infinity;
 
 // Whether an equilibrium is stable in a control: the load of the spring must not fall faster than that of the contact.
 export const isStable = (answer, p, control) => {
@@ -114,13 +115,15 @@ export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
   return {nearest, first: Math.max(0, curve.findIndex(isInside)), last: Math.max(0, curve.findLastIndex(isInside))};
 }
 
-// The load against the approach as far as it is computed.
-export function drawProgress(svg, points) {
+// The load as far as it is computed: points [approach, load], drawn as `how` says (progressOf in scene.js). What is stable is
+// not known yet.
+export function drawProgress(svg, points, how) {
+  const shown = points.map(([approach, load]) => ({x: how.x(approach, load), y: how.y(load)}));
   draw(svg, {
-    label: 'Load against approach, as far as it is computed',
-    x: {label: 'approach', range: rangeOf(points.map((p) => p.x))},
-    y: {label: 'load', range: rangeOf(points.map((p) => p.y))},
-    curves: [{kind: 'stable', points}],
+    label: `${how.loadLabel} against ${how.label}, as far as it is computed`,
+    x: {label: how.label, range: rangeOf(shown.map((p) => p.x))},
+    y: {label: how.loadLabel, range: rangeOf(shown.map((p) => p.y))},
+    curves: [{kind: 'unfinished', points: shown}],
   });
 }
 
@@ -189,8 +192,7 @@ export function drawSeries(svg, {series, unit, label, log}, choose) {
 }
 
 // Draws the pull-off force against the load of the preload.
-export function drawStaircase(svg, answer, chosen) {
-  const control = chosen === 'load_control' ? chosen : 'displacement_control'; // a spring has no staircase of its own
+export function drawStaircase(svg, answer, control) {
   const u = unitsOf(answer),
     {staircase} = answer.document;
   const steps = (stairs) => (stairs?.steps ?? []).map((step) => ({...step, last: step.until ?? stairs.reached}));
@@ -205,7 +207,7 @@ export function drawStaircase(svg, answer, chosen) {
   });
   const all = [...own, ...jkr];
   draw(svg, {
-    label: `Pull-off force against the load of the preload: ${own.length} steps`,
+    label: `Pull-off force against the load of the preload, ${HELD[control]}: ${own.length} steps`,
     x: {
       label: `load of the preload (${u.forceName})`,
       range: rangeOf(own.flatMap((step) => [step.preload.load * u.force, step.last.load * u.force])),
