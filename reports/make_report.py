@@ -3,6 +3,7 @@
 
 import argparse
 import base64
+import contextlib
 import gc
 import gzip
 import hashlib
@@ -11,6 +12,7 @@ import os
 import re
 import sys
 import tempfile
+import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
@@ -18,6 +20,8 @@ from pulloff_report.errors import BAD_FILE, ReportError  # noqa: E402
 
 OUTPUTS = ("report.html", "report.pdf")
 KEY = ".report-key"  # the checksum of all inputs of the report beside it
+# Errors by a value of a wrong kind in a record, which has its checksum: of another version, or edited.
+UNUSABLE = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 SOURCE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
@@ -102,6 +106,17 @@ def live_figures(path):
         return None
 
 
+@contextlib.contextmanager
+def refusing(run):
+    """Makes an error by a value of a wrong kind one line that names the run, the error, and the line of this program that met it."""
+    try:
+        yield
+    except UNUSABLE as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        raise ReportError(f"{run}: a record, or a file beside it, has a value that cannot be shown: {' '.join(str(error).split())[:200]} "
+                          f"({os.path.basename(place.filename)}:{place.lineno}: {place.line}); pulloff run writes a record again") from error
+
+
 def make(wanted):
     try:
         from pulloff_report import claims, cost, faults, gnuplot, page, records, references, tree_tests
@@ -120,8 +135,9 @@ def make(wanted):
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")
         return
-    content = page.contents(run, references.References(wanted.reference), matrix, judged, measured, tested)
-    html, pdf = page.forms(dict(content, live=live))
+    with refusing(wanted.run):
+        content = page.contents(run, references.References(wanted.reference), matrix, judged, measured, tested)
+        html, pdf = page.forms(dict(content, live=live))
     write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
     print(f"made: {os.path.join(wanted.output, 'report.html')} and report.pdf")
 

@@ -2,11 +2,13 @@
 
 import math
 import os
+import re
 import shutil
 import subprocess
 import tempfile
 
 from .errors import ReportError
+from .words import printable
 
 FIGURES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "figures")
 NAME = "gnuplot"
@@ -20,10 +22,19 @@ def require():
     return path
 
 
+class Enhanced(str):
+    """A text in the markup of gnuplot, such as "r^{3}"; any other text is drawn as it is."""
+
+
+def literal(text):
+    """A text in one line, with its characters that have a meaning in the markup of gnuplot escaped."""
+    return re.sub(r"([\\{}^_@&~])", r"\\\1", printable(text).replace("\n", " "))
+
+
 def quoted(value):
     """A value in the syntax of gnuplot."""
     if isinstance(value, str):
-        return "'" + value.replace("'", "''") + "'"
+        return "'" + (value if isinstance(value, Enhanced) else literal(value)).replace("'", "''") + "'"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(quoted(item) for item in value) + "]"
     return repr(float(value)) if isinstance(value, float) else str(value)

@@ -13,7 +13,7 @@ from markupsafe import Markup
 
 from . import beside, findings, fonts, identity, sections, svg, words
 
-FACES = "/* typefaces */"  # the place of the typefaces in a page
+FACES = "<typefaces>"  # the place of the typefaces in a page; no escaped text can contain it
 TITLE = "Pull-off of an adhesive sphere"
 TEMPLATES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "templates")
 
@@ -38,9 +38,11 @@ def environment():
     return made
 
 
-def with_bars(text):
-    """Replaces each letter with a combining macron by a letter with a line over it, which every font renders correctly."""
-    return re.sub("(.)" + svg.MACRON, r'<span class="over">\1</span>', text)
+def with_bars(page):
+    """Replaces each letter with a combining macron by a letter with a line over it, which every font renders correctly. Tags and
+    entities stay as they are, and with them the texts of attributes."""
+    return re.sub(f"(<[^>]*>|&[#0-9A-Za-z]+;)|(.){svg.MACRON}",
+                  lambda found: found[1] or f'<span class="over">{found[2]}</span>', page)
 
 
 def contents(run, references, faults=None, claims=None, cost=None, tests=None):
@@ -63,7 +65,7 @@ def letter_figures(parts):
 
 def filled(template, content, **more):
     """A template filled with the content, with its typefaces embedded."""
-    page = with_bars(environment().get_template(template).render(font_faces=Markup(FACES), **content, **more))
+    page = with_bars(words.printable(environment().get_template(template).render(font_faces=Markup(FACES), **content, **more)))
     # The embedded fonts hold exactly the characters of the page, so they are made last.
     return page.replace(FACES, fonts.font_faces(page), 1)
 

@@ -9,7 +9,7 @@ import copy
 import re
 import xml.etree.ElementTree as ElementTree
 
-from . import fonts
+from . import fonts, words
 
 SVG = "http://www.w3.org/2000/svg"
 XLINK = "http://www.w3.org/1999/xlink"
@@ -199,7 +199,7 @@ def embeddable(text, prefix, label, links=None):
     prefix makes its identifiers unique in the page; label is the text for readers who cannot see the figure; links are
     those of live.py, see without_links.
     """
-    root = ElementTree.fromstring(text)
+    root = ElementTree.fromstring(words.printable(text))
     flattener = Flattener(root, prefix)
     made = flattener.copy(root)
     width, height = number(root.get("width")), number(root.get("height"))

@@ -73,6 +73,11 @@ LEDGERS = {"oracle": "an exact or highly accurate value from an independent comp
            "pin": "the value of this program that was last accepted, to detect changes"}
 
 
+def printable(text):
+    """A text with a space for each control character that XML cannot contain."""
+    return re.sub("[\0-\x08\x0b-\x1f\x7f\ufffe\uffff]", " ", text)
+
+
 def signed(text):
     """A number with its hyphens replaced by minus signs."""
     return text.replace("-", MINUS)
@@ -207,6 +212,7 @@ def lower_first(text):
 
 
 def listing(items):
-    """a, b and c"""
+    """a, b and c: HTML, in which plain texts are escaped, if one of them is HTML; otherwise a plain text."""
     items = list(items)
-    return " and ".join([", ".join(items[:-1]), items[-1]] if len(items) > 1 else items)
+    kind = Markup if any(isinstance(item, Markup) for item in items) else str
+    return kind(" and ").join([kind(", ").join(items[:-1]), items[-1]] if len(items) > 1 else items)

@@ -88,6 +88,11 @@ class Refusals(unittest.TestCase):
         self.change(lambda record: record["checks"][0].update(verdict="perhaps"))
         self.refused('checks[0].verdict is "perhaps", expected one of identical, within, outside')
 
+    def test_a_value_of_a_wrong_kind(self):
+        """It ended in a traceback."""
+        self.change(lambda record: record["points"][0]["pull_off"].update(force="much"))
+        self.refused("run: a record, or a file beside it, has a value that cannot be shown: ", ".py:", "pulloff run writes a record again")
+
     def test_missing_curve(self):
         os.unlink(os.path.join(self.run_folder, "fig03", "curve-1.csv"))
         self.refused("fig03/curve-1.csv: No such file")

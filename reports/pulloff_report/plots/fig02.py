@@ -49,5 +49,5 @@ def caption(case, point):
                        "for μ = {}, A† = {}, λ† = {}, R† = {} with {}.").format(
                            fixed(point["pull_off"]["approach"], 4), plain(scene["tabor"]),
                            plain(scene["amplitude"]), plain(scene["wavelength"]), plain(scene["radius"]),
-                           Markup(twice.how(case)))
+                           twice.how(case))
     return text

@@ -196,7 +196,7 @@ def make(case, references):
 
 def caption(case, marks, dots, crosses, said, soft):
     text = Markup("Dimensionless load W̄ against the approach {}Δ†. Lines: branches computed with {}. "
-                  "They turn back at the folds of the approach.").format(MINUS, Markup(twice.how(case)))
+                  "They turn back at the folds of the approach.").format(MINUS, twice.how(case))
     if marks:
         text += Markup(" Open markers: Feng’s problem, solved independently (see the note on "
                        "Feng’s points).")
@@ -224,8 +224,7 @@ def caption(case, marks, dots, crosses, said, soft):
 
 
 def greatest(said):
-    return Markup(listing([Markup("{} for μ = {}").format(scientific(value), plain(tabor))
-                           for tabor, value in said]))
+    return listing(Markup("{} for μ = {}").format(scientific(value), plain(tabor)) for tabor, value in said)
 
 
 def remarks(case, points, lines, marks, dots):

@@ -5,7 +5,7 @@ import math
 from markupsafe import Markup
 
 from .. import gnuplot, live, svg
-from ..words import MINUS, plain, scientific, value_of
+from ..words import MINUS, listing, plain, scientific, value_of
 from . import twice
 from .figure import Figure, checks_of, failures, log_range, tolerance_of
 
@@ -83,7 +83,7 @@ def make(case, references):
 
 def caption(case, data, said):
     text = Markup("(a) Pull-off force |W̄| and (b) approach {}Δ† at pull-off against the Tabor "
-                  "parameter μ. Orange squares: computed with {}.").format(MINUS, Markup(twice.how(case)))
+                  "parameter μ. Orange squares: computed with {}.").format(MINUS, twice.how(case))
     if data["force"][1]:
         text += Markup(" Blue asterisks: Feng’s problem, solved independently (see the note on "
                        "Feng’s points).")
@@ -115,8 +115,8 @@ def least_apart(case, tabor):
 
 
 def greatest(said, which):
-    return Markup(" and ").join([Markup("{} for the {} (μ = {})").format(scientific(item[which][1]), item[0],
-                                                                         plain(item[which][0])) for item in said])
+    return listing(Markup("{} for the {} (μ = {})").format(scientific(item[which][1]), item[0], plain(item[which][0]))
+                   for item in said)
 
 
 def most_folds(both):

@@ -80,7 +80,7 @@ def make(case, references):
 def caption(case, strips):
     text = Markup("Load W̄ against the approach {}Δ† for A† = 1 and the values of log₁₀ α at the curves. "
                   "Lines: Eq 22, computed by this program. Orange squares: the elastic solver at μ = 10⁻⁴, with {}.").format(
-                      MINUS, Markup(twice.how(case)))
+                      MINUS, twice.how(case))
     worst = [max(row[1] for row in strip) if strip else None for strip in strips]
     if worst[0]:
         text += Markup(" Below: distance of points of Eq 22, computed independently, from the branch, along its "

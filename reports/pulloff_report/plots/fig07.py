@@ -70,7 +70,7 @@ def caption(case, strips):
                   "Eq 22, computed independently; log₁₀ A† at the right ends. Orange squares: the "
                   "elastic solver at μ = 10⁻⁴, with {}. Blue dashed lines: Rumpf and Rabinowicz, Eq 20, multiplied by two, because "
                   "Eq 20 is relative to Bradley’s 2πwR and the axis to πwR; log₁₀ R† at the right ends. "
-                  "Thin dotted lines: Eq 20 as printed.").format(Markup(twice.how(case)))
+                  "Thin dotted lines: Eq 20 as printed.").format(twice.how(case))
     if strips[0]:
         text += Markup(" Below: relative difference from Eq 22; at most {}").format(
             scientific(max(row[1] for row in strips[0])))

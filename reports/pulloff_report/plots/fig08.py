@@ -51,7 +51,7 @@ def caption(case, amplitudes, strips, last):
     text = Markup("Pull-off force |W̄| against the Tabor parameter μ for λ† = 20, R† = 100 and A† = {}. "
                   "Markers: computed with {}. Dash-dotted lines: rigid limit, Eq 22. Dashed lines: JKR limit, Eq 5, continued "
                   "at the top on a logarithmic axis; for A† = {} it is {} at μ = {} (circle).").format(
-                      listing([plain(value) for value in amplitudes]), Markup(twice.how(case)),
+                      listing([plain(value) for value in amplitudes]), twice.how(case),
                       plain(amplitudes[-1]) if amplitudes else "–", f"{last[1]:.3f}", plain(last[0]))
     if strips:
         worst = max(row[1] for strip in strips for row in strip)

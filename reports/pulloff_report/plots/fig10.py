@@ -51,7 +51,7 @@ def caption(case, forces, missing, strips):
     best = max(forces, key=forces.get)
     text = Markup("Pull-off force |W̄| against A/λ at μ = {}: (a) all twelve spheres, as in the paper; (b) one panel for each "
                   "wavelength. Markers: computed with {}; the dash-dotted lines connect them. Dashed lines: JKR, Eq 5. The largest force is {} at λ† = {}, R† = {}, A/λ = {}.").format(
-                      plain(case.points[0]["input"]["tabor"]), Markup(twice.how(case)),
+                      plain(case.points[0]["input"]["tabor"]), twice.how(case),
                       f"{forces[best]:.2f}", plain(best[0]), plain(best[1]), plain(best[2]))
     if missing:
         text += Markup(" Crosses at the lower edge of (b): {} not solved (listed below).").format(

@@ -65,7 +65,7 @@ def name_of(group):
 def caption(case, blocks, below, groups, clear):
     text = Markup("The pull-off forces of Figure 10 as effective work of adhesion, 2|W̄|/3, against the Johnson "
                   "parameter α<sub>KLJ</sub>; μ = {}. Markers: computed with {}. Solid line: Eq 24. Dash-dotted line: Eq 30 where it is positive.").format(
-                      plain(case.points[0]["input"]["tabor"]), Markup(twice.how(case)))
+                      plain(case.points[0]["input"]["tabor"]), twice.how(case))
     text += f" All scenes are {preload.declared(case)}, as in Figure 10."
     if case.any_preload:
         text += " Crosses: the largest force at any preload, where it is larger."

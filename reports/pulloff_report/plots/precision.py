@@ -39,7 +39,7 @@ def look():
             "axes.labelsize": 7.8, "xtick.labelsize": 7.6, "ytick.labelsize": 7.6,
             "axes.grid": True, "grid.color": "#E6E6E6", "grid.linewidth": 0.4,
             "xtick.direction": "in", "ytick.direction": "in", "axes.axisbelow": True,
-            "legend.frameon": False, "legend.fontsize": 7.8}
+            "legend.frameon": False, "legend.fontsize": 7.8, "text.parse_math": False}
 
 
 def rendered(draw, *given, name, label):

@@ -20,7 +20,7 @@ def profile_name(point):
     """The profile of a point in words."""
     scene = point["input"]
     if scene["profile"] == "power":
-        return f"r^{{{plain(scene['power_n'])}}}"
+        return gnuplot.Enhanced(f"r^{{{gnuplot.literal(plain(scene['power_n']))}}}")
     if scene["profile"] == "sphere":
         return "sphere, two waves" if scene["waves"] else "sphere"
     return {"cone": "cone", "punch": "rounded punch", "truncated": "truncated sphere"}[scene["profile"]]
@@ -69,17 +69,19 @@ def make(case, references):
 
 
 def caption(ratios):
-    last = ", ".join(f"{rows[-1][1]:.4f} ({plain_name(name)})" for name, rows in ratios.items())
+    last = Markup(", ").join(Markup("{:.4f} ({})").format(rows[-1][1], marked_up(name)) for name, rows in ratios.items())
     return Markup(
         "(a) Pull-off force of six profiles under the Lennard-Jones law, divided by that of the JKR theory with the same "
         "work of adhesion (<code>{}</code>). The axis is a Tabor parameter for any profile: "
         "√(2πwa/E*)/(3.094 ε), with a the contact radius at the JKR pull-off. The root is the depth of the neck around "
         "the contact; for a sphere the quotient is μ. (b) Distance of the quotient from 1; it has a minimum where the quotient crosses 1. The quotients at the "
-        "right ends are {}.").format(f"reference/{JKR}", Markup(last))
+        "right ends are {}.").format(f"reference/{JKR}", last)
 
 
-def plain_name(name):
-    return name.replace("^{", "<sup>").replace("}", "</sup>")
+def marked_up(name):
+    """The name of a profile, whose exponent stands in gnuplot's braces, for a caption."""
+    base, raised, exponent = name.partition("^{")
+    return Markup("{}<sup>{}</sup>").format(base, exponent[:-1]) if raised else name
 
 
 def remarks(case, known):

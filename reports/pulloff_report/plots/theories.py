@@ -90,7 +90,7 @@ def smooth(case):
     drawn = gnuplot.draw("theories", {"figure_height": 330, "name": [WORDS[theory] for theory in SMOOTH], "count": len(SMOOTH)}, data)
     caption = ("|Deviation| of the pull-off force of each theory from the computed one, in per cent, against the Tabor parameter μ; "
                "rigid bodies are as DMT. A dip is a change of sign.")
-    return Figure("theories", None, TITLE, Markup(svg.embeddable(drawn, "theories", TITLE)), Markup(caption), failures(case),
+    return Figure("theories", None, TITLE, Markup(svg.embeddable(drawn, "theories", TITLE)), caption, failures(case),
                   case.record["command"])
 
 
@@ -127,7 +127,7 @@ def wavy(case, of, name, title, label, said):
         data[preload], frame = cells([point for point in compared(case) if is_any(point) == wanted], of)
     drawn = gnuplot.draw("theories_map", {
         "figure_height": 340, "colours": [shade for shades in COLOURS for shade in shades] + ["#C8C8C8"],
-        "kinds": [words for words, _ in KINDS], "y_label": label,
+        "kinds": [words for words, _ in KINDS], "y_label": gnuplot.Enhanced(label),
         "x_low": frame[0], "x_high": frame[1], "y_low": frame[2], "y_high": frame[3]}, data)
     none = {name: len(blocks[-1]) for name, blocks in data.items()}
     caption = Markup("The theory nearest to the computed pull-off force, {}, R† = 100: (a) preload πwR, (b) any preload. The three shades: "

@@ -2,6 +2,8 @@
 
 import math
 
+from markupsafe import Markup
+
 from ..words import plain, scientific, value_of
 
 PAPER = "triangles on 501 equally spaced nodes, half-space cut at r = R"
@@ -59,7 +61,7 @@ def how(case):
     where = ("on the unbounded half-space" if domain == "inf"
              else f"on a half-space cut at r = {plain(domain)} ε")
     if point["scheme"] == "panel":
-        return f"panels at tolerance {scientific(point['tolerance'], 1)} {where}"
+        return Markup("panels at tolerance {} {}").format(scientific(point["tolerance"], 1), where)
     return f"{point['scheme']}s on {point['nodes']} nodes {where}"
 
 

@@ -1,0 +1,270 @@
+"""A run folder of a stranger: no field of a record, a table, the claims or the planted faults brings markup into the report.
+
+The fields of a document are forged with texts that would be an element, an attribute and an entity: each kind of position (a
+path of keys), as many at once as the report accepts. It either refuses the document in one line or shows the texts as texts.
+"""
+
+import copy
+import functools
+import glob
+import html.parser
+import json
+import os
+import re
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.join(HERE, "..", "..", "reports"))
+
+import make_report  # noqa: E402
+import synthetic  # noqa: E402
+from markupsafe import Markup  # noqa: E402
+from pulloff_report import claims, cost, errors, faults, fonts, gnuplot, page, records, references, svg  # noqa: E402
+from pulloff_report.plots import precision, solvers, speed  # noqa: E402
+
+# A macron at the beginning, which becomes a line over the letter before it; an element and an attribute; what gnuplot, matplotlib
+# or a shell would read as a command, with a new line and a bell; and more characters than a line of gnuplot has.
+TEXT = "\u0304\"'><forged forged=\"1\">& \u0304</script></style>\n\a$x_{\\{$ `date` {/:Bold " + "long " * 500
+FORGED = "forged"
+
+
+class Now:
+    """The work of beside.start, done at once."""
+
+    def __init__(self, work):
+        self.value = work()
+
+    def result(self):
+        return self.value
+
+
+def remembered(function):
+    """A function that draws; it draws the same once."""
+    kept = {}
+
+    def called(*given, **named):
+        key = repr((given, named))
+        if key not in kept:
+            kept[key] = function(*given, **named)
+        return kept[key]
+    return called
+
+
+class Names(html.parser.HTMLParser):
+    """The elements and attributes of a page, and its texts, those of attributes among them."""
+
+    def __init__(self, text):
+        super().__init__(convert_charrefs=True)
+        self.names, self.texts = set(), []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attrs):
+        self.names |= {tag} | {f"{tag}.{name}" for name, _ in attrs}
+        self.texts += [value for _, value in attrs if value]
+
+    def handle_data(self, data):
+        self.texts.append(data)
+
+
+def drawn_nothing(draw, *given, name, label):
+    """In place of matplotlib, which takes seconds: an empty drawing. The texts of its drawings are names of solvers and numbers."""
+    return Markup(svg.embeddable('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"></svg>', name, label))
+
+
+def kinds(document, path=()):
+    """{kind: path} of the texts, numbers, truths and nulls of a document, one of each kind."""
+    if not isinstance(document, (dict, list)):
+        return {(): path}
+    found = {}
+    for key, value in document.items() if isinstance(document, dict) else enumerate(document):
+        for kind, place in kinds(value, (*path, key)).items():
+            found.setdefault((key if isinstance(document, dict) else "*", *kind), place)
+    return found
+
+
+def forged(document, places, value):
+    """A copy of a document with a value at these places."""
+    made = copy.deepcopy(document)
+    for *path, last in places:
+        inner = made
+        for key in path:
+            inner = inner[key]
+        inner[last] = value
+    return made
+
+
+def read_json(path):
+    with open(path, encoding="utf-8") as stream:
+        return json.load(stream)
+
+
+def write_json(path, document):
+    if path.endswith("record.json"):
+        synthetic.checksum.write(path, document)
+        return
+    with open(path, "w", encoding="utf-8") as stream:
+        json.dump(document, stream)
+
+
+def make_claims(folder):
+    """A contradicted claim with two choices and a solver, and one that holds."""
+    choice = {"words": "near", "claimed": "1.5", "low": 1.5, "high": 1.5, "computed": 1.6, "difference": 0.1, "accuracy": 0.05,
+              "decided": True, "commands": ["pulloff solve"], "reason": None, "verdict": "contradicted"}
+    change = {"words": "no waves", "computed": 1.5, "verdict": "reproduced", "reason": None, "commands": [], "moved": True}
+    claim = {"id": "made", "where": "Fig. 9", "quotes": ["It is so much."], "implied": True, "tests": "so much", "kind": None,
+             "reading": "printed", "accuracy_because": "made", "brief": "It is more.", "note": "a note", "survives": "the rest",
+             "reason": None, "figure": True, "decided": True, "faults": ["it cannot fail"], "choices": [choice, dict(choice)],
+             "change": change, "solvers": [{"name": "newton", "verdict": "contradicted", "computed": 1.7}],
+             "verdict": "contradicted"}
+    holds = dict(claim, id="other", verdict="reproduced", choices=[dict(choice, verdict="reproduced")], faults=[], solvers=[])
+    os.makedirs(os.path.join(folder, "claims"))
+    write_json(os.path.join(folder, "claims", "claims.json"), {
+        "schema": "pulloff-claims/4", "list_sha256": "0", "readings": {"printed": "half a unit"}, "claims": [claim, holds],
+        "counts": {"contradicted": 1, "reproduced": 1}, "preloads": [{"figures": "9", "because": "made", "words": ["far", "near"]}]})
+
+
+def make_few_meshes(run):
+    """The timed solves of one scene, with which the figure is drawn soon."""
+    def keep(made):
+        made["points"] = [point for point in made["points"] if point["sweep"]["tabor"] == 1]
+        kept = {point["id"] for point in made["points"]}
+        made["measured"] = [item for item in made["measured"] if item["point"] in kept]
+        made["checks"] = []
+
+    synthetic.make_precision(run)
+    synthetic.change(os.path.join(run, "precision", "record.json"), keep)
+
+
+def of_run(maker):
+    return lambda folder: maker(os.path.join(folder, "run"))
+
+
+def beside(maker):
+    """What lies beside a run of the paper, which is there, too."""
+    return lambda folder: (of_run(synthetic.make_fig03)(folder), maker(folder))
+
+
+# Who makes the files of a folder, and which of them are forged.
+FAMILIES = {
+    "loading curves": (of_run(synthetic.make_fig03_twice), "run/fig03/record.json"),
+    "pull-off": (of_run(synthetic.make_fig04_twice), "run/fig04/record.json"),
+    "map": (of_run(synthetic.make_map_at_any_preload), "run/fig14/record.json"),
+    "general": (of_run(synthetic.make_general), "run/*/record.json"),
+    "extreme": (of_run(synthetic.make_extreme), "run/*/record.json"),
+    "precision": (of_run(make_few_meshes), "run/*/record.json"),
+    "solvers": (of_run(synthetic.make_solvers), "run/solvers/second/*/record.json"),
+    "faults": (beside(synthetic.make_faults), "mutation/matrix.json"),
+    "cost": (beside(synthetic.make_cost), "cost/cost.json"),
+    "claims": (beside(make_claims), "claims/claims.json"),
+}
+
+
+class Forged(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        for module, name, replacement in ((page.beside, "start", Now), (fonts, "font_faces", lambda text: ""),
+                                          (gnuplot, "draw", remembered(gnuplot.draw)),
+                                          (page, "environment", functools.lru_cache(page.environment))):
+            cls.addClassCleanup(setattr, module, name, getattr(module, name))
+            setattr(module, name, replacement)
+        with tempfile.TemporaryDirectory(prefix="pulloff-report-") as cls.folder:
+            synthetic.make_references(os.path.join(cls.folder, "reference"))
+            for maker, _ in FAMILIES.values():
+                maker(cls.folder)
+            cls.known = set().union(*(Names(form).names for form in cls.forms()))
+
+    @classmethod
+    def forms(cls):
+        """The page for the screen, opened, and the source of the PDF; None if the report refuses the run, in one line."""
+        run, tables = (os.path.join(cls.folder, name) for name in ("run", "reference"))
+        try:
+            with make_report.refusing(run):
+                content = page.contents(records.Run(run), references.References(tables),
+                                        *(module.read(module.beside(run)) for module in (faults, claims, cost)))
+                return page.unpacked(page.screen(dict(content, live=["fig03"]))), page.paper(content)
+        except errors.ReportError as error:
+            assert "\n" not in str(error), error
+            return None
+
+    def look(self, where):
+        """Whether the report takes what was forged; it then has no other elements and attributes than those of HTML and SVG that
+        a report of everything has."""
+        forms = self.forms()
+        for form in forms or ():
+            found = Names(form)
+            self.assertEqual(found.names - self.known, set(), where)
+            for text in found.texts:
+                self.assertNotRegex(text, r"&(amp|lt|gt|quot|#\d+);|</?(sup|sub|code|span)\b", where)  # escaped twice, or too late
+            for drawing in page.with_pictures(form)[1].values():
+                for element in ElementTree.fromstring(drawing).iter():
+                    self.assertIn(element.tag.rsplit("}")[-1].lower(), self.known, where)
+        self.shown += any(FORGED in form for form in forms or ())
+        return forms is not None
+
+    def check_documents(self, maker, pattern):
+        """Forges the kinds of positions of each document: all at once, and of halves that are refused, their halves."""
+        synthetic.make_references(os.path.join(self.folder, "reference"))
+        maker(self.folder)
+        self.shown = 0
+        for path in sorted(glob.glob(os.path.join(self.folder, pattern))):
+            whole = read_json(path)
+            stack = [list(kinds(whole).values())]
+            while stack:
+                places = stack.pop()
+                write_json(path, forged(whole, places, TEXT))
+                if not self.look((path, places[:5])) and len(places) > 1:
+                    half = len(places) // 2
+                    stack += [places[:half], places[half:]]
+            write_json(path, whole)
+        self.assertGreater(self.shown, 0)
+
+    def test_fields_of_documents(self):
+        for module in (precision, solvers, speed):
+            self.addCleanup(setattr, module, "rendered", module.rendered)
+            module.rendered = drawn_nothing
+        for name, (maker, pattern) in FAMILIES.items():
+            with self.subTest(name), tempfile.TemporaryDirectory(prefix="pulloff-report-") as Forged.folder:
+                self.check_documents(maker, pattern)
+
+    def test_names_of_folders(self):
+        """The name of a solver is that of its folder, and stands in a drawing of matplotlib."""
+        with tempfile.TemporaryDirectory(prefix="pulloff-report-") as Forged.folder:
+            synthetic.make_references(os.path.join(self.folder, "reference"))
+            of_run(synthetic.make_solvers)(self.folder)
+            place = os.path.join(self.folder, "run", "solvers")
+            os.rename(os.path.join(place, "quick"), os.path.join(place, TEXT[:60].replace("/", "")))
+            self.shown = 0
+            self.assertTrue(self.look("name of a solver"))
+            self.assertEqual(self.shown, 1)
+
+    def test_fields_of_tables(self):
+        """Headers, names of columns and cells of the reference tables, and of the curve of a point."""
+        flat = TEXT.replace("\n", " ")
+        edits = (lambda text: re.sub("(?m)^# (\\w+): .*$", lambda found: f"# {found[1]}: {flat}", text), lambda text: f"# {flat}: {flat}\n{text}",
+                 lambda text: text.replace("tabor", f'"{flat[:40]}"', 1),
+                 lambda text: re.sub(r"(?m)^[\d.e+-]+,", lambda found: '"' + flat.replace('"', '""') + '",', text, count=1))
+        with tempfile.TemporaryDirectory(prefix="pulloff-report-") as Forged.folder:
+            synthetic.make_references(os.path.join(self.folder, "reference"))
+            synthetic.make_fig03(os.path.join(self.folder, "run"))
+            self.shown = 0
+            for name in ("reference/feng_curves.csv", "reference/bradley.csv", "run/fig03/curve-0.csv"):
+                path = os.path.join(self.folder, name)
+                with open(path, encoding="utf-8", newline="") as stream:
+                    whole = stream.read()
+                for edit in (*edits, lambda text: text):
+                    def write(place, text=edit(whole)):
+                        with open(place, "w", encoding="utf-8", newline="") as stream:
+                            stream.write(text)
+
+                    (synthetic.change if name.startswith("run") else lambda place, how: how(place))(path, write)
+                    self.look((name, edit))
+            self.assertGreater(self.shown, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
