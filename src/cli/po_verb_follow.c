@@ -179,38 +179,24 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
   return status ? status : po_request_check(request);
 }
 
-/* The scenes of which a trace or a followed minimum has been seen. */
 typedef struct {
   po_live live;
-  size_t seen, count;
+  size_t count;
 } follow_progress;
 
-typedef struct {
-  follow_progress *progress;
-  bool is_seen;
-} follow_mark;
-
-static void show_scene(void *watcher, double approach, double load) {
-  (void)approach, (void)load;
-  follow_mark *mark = watcher;
-  mark->progress->seen += !mark->is_seen;
-  mark->is_seen = true;
-  po_live_show(&mark->progress->live, "%zu/%zu scenes", mark->progress->seen,
-               mark->progress->count);
+static void show_scenes(void *user, size_t seen) {
+  follow_progress *progress = user;
+  po_live_show(&progress->live, "%zu/%zu scenes", seen, progress->count);
 }
 
 /* Computes the series; one of more than a second shows its progress. */
 static po_status compute(const follow_line *line, po_request *requests, po_result *results) {
   const size_t count = line->range.count;
   follow_progress progress = {.live = po_live_begin(true), .count = count};
-  follow_mark *marks = po_allocate(count, sizeof *marks);
+  po_series_progress seen = {show_scenes, &progress, 0};
+  void *marks = po_series_watch(requests, count, &seen);
   if (!marks)
     return PO_NO_MEMORY;
-  for (size_t k = 0; k < count; ++k) {
-    marks[k].progress = &progress;
-    requests[k].watch = show_scene;
-    requests[k].watcher = &marks[k];
-  }
   const po_status status =
       line->folds
           ? po_series_folds(requests, count, results)

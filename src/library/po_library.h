@@ -15,6 +15,7 @@ struct pulloff_scene {
   char *text[PO_KEY_ALL]; /* the value of each key; NULL: not set */
   unsigned want;
   const volatile sig_atomic_t *stop;
+  volatile sig_atomic_t *seen; /* number of the scenes of a series that were seen; may be NULL */
 };
 
 struct pulloff_result {
@@ -51,7 +52,7 @@ pulloff_status po_library_end(po_status status, pulloff_message *message);
 po_status po_library_suggest(const char *key);
 
 /* The texts of a scene, which stay those of the scene, with a further value for one key; key -1:
- * none. It is in SI units if one of these is given. */
+ * none. It is in SI units if one of these is given; a key in another unit is then refused. */
 po_given po_library_given(const pulloff_scene *scene, int key, const char *value);
 
 /* The units of a request in SI units. */

@@ -41,6 +41,7 @@ pulloff_status pulloff_scene_copy(const pulloff_scene *scene, pulloff_scene **co
     return status;
   **copy = *scene;
   (*copy)->stop = NULL;
+  (*copy)->seen = NULL;
   bool whole = true;
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     (*copy)->text[key] = scene->text[key] ? po_copy_text(scene->text[key]) : NULL;
@@ -63,6 +64,14 @@ const char *pulloff_key_name(size_t number) {
 
 const char *pulloff_key_expected(size_t number) {
   return number < WANT ? PO_KEYS[number].expected : number == WANT ? PO_WANT_EXPECTED : NULL;
+}
+
+const char *pulloff_key_help(size_t number) {
+  if (number >= WANT)
+    return number == WANT ? "results beside the pull-off" : NULL;
+  while (!*PO_KEYS[number].help) /* that of several keys is in the row of the last */
+    ++number;
+  return PO_KEYS[number].help;
 }
 
 po_status po_library_suggest(const char *key) {
@@ -148,7 +157,7 @@ pulloff_status pulloff_scene_set_number(pulloff_scene *scene, const char *key, d
 }
 
 po_given po_library_given(const pulloff_scene *scene, int key, const char *value) {
-  po_given given = {.prefix = "", .mixed = true};
+  po_given given = {.prefix = ""};
   for (int k = 0; k < PO_KEY_ALL; ++k) {
     given.text[k] = k == key ? value : scene->text[k];
     given.si = given.si || (given.text[k] && PO_KEYS[k].owner == PO_OWNER_SI);
@@ -235,6 +244,7 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
     const pulloff_scene before = *scene;
     *scene = *changed;
     scene->stop = before.stop;
+    scene->seen = before.seen;
     *changed = before;
     if (units)
       *units = po_library_units(&request);
@@ -271,4 +281,8 @@ pulloff_status pulloff_scene_units(const pulloff_scene *scene, pulloff_units *un
 
 void pulloff_scene_set_stop(pulloff_scene *scene, const volatile sig_atomic_t *stop) {
   scene->stop = stop;
+}
+
+void pulloff_scene_set_seen(pulloff_scene *scene, volatile sig_atomic_t *seen) {
+  scene->seen = seen;
 }

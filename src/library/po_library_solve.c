@@ -76,14 +76,24 @@ static po_status make_requests(const pulloff_scene *scene, const char *name, con
   return status;
 }
 
+static void show_seen(void *user, size_t seen) {
+  const pulloff_scene *const *scene = user;
+  if ((*scene)->seen)
+    *(*scene)->seen = (sig_atomic_t)seen;
+}
+
 static po_status follow(const pulloff_scene *scene, const char *key, const double *values,
                         size_t count, pulloff_result **results) {
   if (!count)
     return po_fail(PO_BAD_INPUT, "a series has 0 values: expected at least 1");
   po_request *requests = po_allocate(count, sizeof *requests);
   po_result *solved = po_allocate(count, sizeof *solved);
+  po_series_progress progress = {show_seen, &scene, 0};
   po_status status =
       requests && solved ? make_requests(scene, key, values, count, requests) : PO_NO_MEMORY;
+  void *marks = status ? NULL : po_series_watch(requests, count, &progress);
+  if (!status && !marks)
+    status = PO_NO_MEMORY;
   if (!status)
     status = po_series_observe(requests, count, PO_CHECKPOINT_EVERY, solved);
   status = po_no_memory_or(status);
@@ -97,6 +107,7 @@ static po_status follow(const pulloff_scene *scene, const char *key, const doubl
     if (solved)
       po_result_clear(&solved[k]);
   }
+  free(marks);
   free(requests);
   free(solved);
   return status;

@@ -25,7 +25,8 @@
  * forces in pi w R, with the work of adhesion w and the radius R; energies in pi w R epsilon. The
  * approach is positive when the bodies are pressed together, the load when it is compressive.
  * A scene is in SI units if one of its keys is, such as radius_m; pulloff_scene_units and
- * pulloff_result_units then give the units of its results.
+ * pulloff_result_units then give the units of its results, and a key in epsilon or pi w R, such as
+ * preload_load, is refused when it is solved.
  *
  * Failures. A function that can fail returns a status and writes one line that says what happened,
  * to which value, and what was expected, to `message`, which may be NULL. On success the message is
@@ -91,22 +92,26 @@ typedef struct pulloff_scene pulloff_scene;
  * PULLOFF_NO_MEMORY. */
 pulloff_status pulloff_scene_create(pulloff_scene **scene, pulloff_message *message);
 
-/* Creates a copy, without the flag of pulloff_scene_set_stop. Status: PULLOFF_NO_MEMORY. */
+/* Creates a copy, without the flag and the counter of pulloff_scene_set_stop and
+ * pulloff_scene_set_seen. Status: PULLOFF_NO_MEMORY. */
 pulloff_status pulloff_scene_copy(const pulloff_scene *scene, pulloff_scene **copy,
                                   pulloff_message *message);
 
 /* Releases a scene; nothing for NULL. */
 void pulloff_scene_destroy(pulloff_scene *scene);
 
-/* The keys: their number, and the name and the accepted values of one, for example "outer_radius"
- * and "a finite number > 0, or inf". They are the options of `pulloff solve` with _ for -, and
- * dimensionless groups such as amplitude_ratio, each of which sets another key when the scene is
- * solved. Two more are of this library: `want`, the additional results, any of curve, profile,
- * hysteresis, diagnostics, preload and theories with commas between; and `profile_approach`, the
- * approach of the profile in epsilon. Returned: NULL if there is no key of this number. */
+/* The keys: their number, and of one its name, the accepted values, and what it sets, for example
+ * "outer_radius", "a finite number > 0, or inf", and "radius at which the elastic surface is cut,
+ * in epsilon; inf is the unbounded half-space (default inf)". They are the options of `pulloff
+ * solve` with _ for -, and dimensionless groups such as amplitude_ratio, each of which sets another
+ * key when the scene is solved. Two more are of this library: `want`, the additional results, any
+ * of curve, profile, hysteresis, diagnostics, preload and theories with commas between; and
+ * `profile_approach`, the approach of the profile in epsilon. Returned: NULL if there is no key of
+ * this number. */
 size_t pulloff_key_count(void);
 const char *pulloff_key_name(size_t number);
 const char *pulloff_key_expected(size_t number);
+const char *pulloff_key_help(size_t number);
 
 /* Sets a key to the value in a text, in decimal notation whatever the locale; NULL unsets it. The
  * value of pulloff_scene_set_number reaches the solver unchanged; INFINITY is "inf".
@@ -160,6 +165,11 @@ pulloff_status pulloff_scene_units(const pulloff_scene *scene, pulloff_units *un
  * is solved. */
 void pulloff_scene_set_stop(pulloff_scene *scene, const volatile sig_atomic_t *stop);
 
+/* Sets a counter which during pulloff_follow is the number of the scenes of which a trace or a
+ * followed minimum has been seen; NULL: none. Another thread may read it, to show progress. It must
+ * exist while the scene is solved. */
+void pulloff_scene_set_seen(pulloff_scene *scene, volatile sig_atomic_t *seen);
+
 /* -- Solve -- */
 
 typedef struct pulloff_result pulloff_result;
@@ -171,8 +181,9 @@ pulloff_status pulloff_solve(const pulloff_scene *scene, pulloff_result **result
 
 /* Solves scenes that differ in one key, by parameter continuation between scenes that are traced in
  * full, as `pulloff follow` does. Given: values[count] of the key, ascending or descending.
- * Returned: results[count], each to be destroyed; NULL for a negative status. A solve that fails
- * does not fail the series: see pulloff_result_status of each. */
+ * Returned: results[count], each to be destroyed; NULL unless the status is PULLOFF_OK. A solve
+ * that fails does not fail the series: see pulloff_result_status of each. Status:
+ * PULLOFF_INTERRUPTED, PULLOFF_BAD_INPUT, PULLOFF_CANNOT_READ, PULLOFF_NO_MEMORY. */
 pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const double *values,
                               size_t count, pulloff_result **results, pulloff_message *message);
 

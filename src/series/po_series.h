@@ -49,4 +49,16 @@ po_status po_series_observe(const po_request *requests, size_t count, size_t che
  * trace that fails does not fail the series. */
 po_status po_series_folds(const po_request *requests, size_t count, po_result *results);
 
+/* Counts the scenes of a series of which a trace or a followed minimum has been seen, and shows
+ * their number after every point of a trace. */
+typedef struct {
+  void (*show)(void *user, size_t seen);
+  void *user;
+  size_t seen;
+} po_series_progress;
+
+/* Makes the requests of a series report to *progress, which must exist while they are solved.
+ * Returned: an object to be freed afterwards; NULL with a message if memory runs out. */
+void *po_series_watch(po_request *requests, size_t count, po_series_progress *progress);
+
 #endif

@@ -7,6 +7,7 @@
 #include "po_elementary.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
+#include "po_series.h"
 #include "po_watch.h"
 
 /* Interpolates between two values, logarithmically if both are positive. */
@@ -110,6 +111,29 @@ static po_status record(const po_series_course *c, size_t index) {
     return PO_OUT_OF_DOMAIN;
   c->record(c->data, index, &p);
   return PO_OK;
+}
+
+typedef struct {
+  po_series_progress *progress;
+  bool is_seen;
+} scene_mark;
+
+static void see_scene(void *watcher, double approach, double load) {
+  (void)approach, (void)load;
+  scene_mark *mark = watcher;
+  mark->progress->seen += !mark->is_seen;
+  mark->is_seen = true;
+  mark->progress->show(mark->progress->user, mark->progress->seen);
+}
+
+void *po_series_watch(po_request *requests, size_t count, po_series_progress *progress) {
+  scene_mark *marks = po_allocate(count, sizeof *marks);
+  for (size_t k = 0; marks && k < count; ++k) {
+    marks[k].progress = progress;
+    requests[k].watch = see_scene;
+    requests[k].watcher = &marks[k];
+  }
+  return marks;
 }
 
 po_status po_series_follow(po_series_course *c, const po_solution *point, size_t first,

@@ -32,7 +32,11 @@ START_TEST(keys_have_names_and_defaults) {
   for (size_t k = 0; k < pulloff_key_count(); ++k) {
     ck_assert_ptr_nonnull(pulloff_key_name(k));
     ck_assert_ptr_nonnull(pulloff_key_expected(k));
+    ck_assert_str_ne(pulloff_key_help(k), "");
+    if (strcmp(pulloff_key_name(k), "mie_m") == 0) /* one text for both exponents */
+      ck_assert_ptr_nonnull(strstr(pulloff_key_help(k), "exponents M and N"));
   }
+  ck_assert_ptr_null(pulloff_key_help(pulloff_key_count()));
   ck_assert_ptr_null(pulloff_key_name(pulloff_key_count()));
   ck_assert_ptr_null(pulloff_key_expected(pulloff_key_count()));
   expect_value("tabor", "1");
@@ -108,7 +112,10 @@ START_TEST(wrong_values_are_refused) {
 }
 END_TEST
 
-/* Keys that do not agree are refused when the scene is solved. */
+#define TIP "modulus_pa 2e9 work_j_per_m2 0.05 distance_m 3e-10 radius_m 1e-7 "
+
+/* Keys that do not agree are refused when the scene is solved. Dimensionless preloads of a scene in
+ * SI units were taken in epsilon, where the command line refuses them. */
 START_TEST(wrong_scenes_are_refused) {
   const struct {
     const char *words, *message;
@@ -119,6 +126,15 @@ START_TEST(wrong_scenes_are_refused) {
       {"tabor 1 coupling 0.1", "coupling is 0.1: expected only one of tabor and coupling"},
       {"approach_start 3 approach_end 2",
        "approach_end is 2: expected more than approach_start, 3"},
+      {TIP "preload 1", "preload is 1: expected preload_m, as the scene is in SI units"},
+      {TIP "preload_load 1",
+       "preload_load is 1: expected preload_load_n, as the scene is in SI units"},
+      {TIP "stiffness 1",
+       "stiffness is 1: expected stiffness_n_per_m, as the scene is in SI units"},
+      {TIP "approach_end 1",
+       "approach_end is 1: expected approach_end_m, as the scene is in SI units"},
+      {TIP "profile_approach 1",
+       "profile_approach is 1: expected profile_approach_m, as the scene is in SI units"},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
     ck_assert_int_eq(solve_words(wrong[i].words, &result, &message), PULLOFF_BAD_INPUT);
@@ -226,7 +242,10 @@ START_TEST(a_series_is_followed) {
   enum { COUNT = 5 };
   const double values[COUNT] = {1, 1.1, 1.2, 1.3, 1.4};
   pulloff_result *results[COUNT];
+  volatile sig_atomic_t seen = 0, stop = 1;
+  pulloff_scene_set_seen(scene, &seen);
   ck_assert_int_eq(pulloff_follow(scene, "tabor", values, COUNT, results, &message), PULLOFF_OK);
+  ck_assert_int_eq(seen, COUNT);
   for (size_t k = 0; k < COUNT; ++k) {
     double tabor = 0;
     pulloff_pull_off p, alone;
@@ -242,6 +261,13 @@ START_TEST(a_series_is_followed) {
   }
   result = NULL;
   pulloff_scene_set(scene, "tabor", NULL, NULL);
+  pulloff_scene_set_stop(scene, &stop);
+  ck_assert_int_eq(pulloff_follow(scene, "tabor", values, COUNT, results, &message),
+                   PULLOFF_INTERRUPTED);
+  for (size_t k = 0; k < COUNT; ++k)
+    ck_assert_ptr_null(results[k]);
+  pulloff_scene_set_stop(scene, NULL);
+  pulloff_scene_set_seen(scene, NULL);
   ck_assert_int_eq(pulloff_follow(scene, "law", values, COUNT, results, &message),
                    PULLOFF_BAD_INPUT);
   ck_assert_ptr_null(results[COUNT - 1]);
