@@ -1,13 +1,13 @@
 #include "po_panel_table.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
 #include "po_elementary.h"
 #include "po_kernel.h"
+#include "po_lock.h"
 #include "po_skeleton.h"
 
 /* An offset of panels that are not near. */
@@ -68,7 +68,6 @@ static void fill_logarithm(const po_panel_rule *rule, position s, po_panel_block
 
 static po_panel_table table;
 static atomic_bool is_filled;
-static pthread_mutex_t table_lock = PTHREAD_MUTEX_INITIALIZER;
 
 static void fill_derivative(const po_panel_rule *rule, po_panel_block block) {
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
@@ -115,10 +114,10 @@ static void fill_table(void) {
 const po_panel_table *po_panel_table_get(void) {
   if (is_filled)
     return &table;
-  pthread_mutex_lock(&table_lock);
+  po_lock_take(PO_LOCK_PANELS);
   fill_table();
   const bool filled = is_filled;
-  pthread_mutex_unlock(&table_lock);
+  po_lock_release(PO_LOCK_PANELS);
   return filled ? &table : NULL;
 }
 

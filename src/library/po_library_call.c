@@ -1,38 +1,37 @@
 /* How the functions of the library begin and end. */
 #include <gsl/gsl_errno.h>
-#include <pthread.h>
 #include <stdio.h>
 
 #include "po_library.h"
 #include "po_linear.h"
+#include "po_lock.h"
 
-static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static int users; /* threads between enter and leave */
 static gsl_error_handler_t *handler;
 static int blas_threads;
 
 /* The first thread changes the state of the process. OpenBLAS needs a work area for each thread. */
 static po_status begin_use(void) {
-  pthread_mutex_lock(&lock);
+  po_lock_take(PO_LOCK_CALLS);
   if (users == 0) {
     handler = gsl_set_error_handler_off();
     blas_threads = po_linear_share_threads();
   }
   users += 1;
   const po_status status = po_linear_reserve(users);
-  pthread_mutex_unlock(&lock);
+  po_lock_release(PO_LOCK_CALLS);
   return status;
 }
 
 /* The last thread restores it. */
 static void end_use(void) {
-  pthread_mutex_lock(&lock);
+  po_lock_take(PO_LOCK_CALLS);
   users -= 1;
   if (users == 0) {
     gsl_set_error_handler(handler);
     po_linear_return_threads(blas_threads);
   }
-  pthread_mutex_unlock(&lock);
+  po_lock_release(PO_LOCK_CALLS);
 }
 
 po_status po_library_enter(po_library_call *call) {

@@ -9,6 +9,8 @@
 #include <sys/mman.h>
 #include <threads.h>
 
+#include "po_lock.h"
+
 extern void openblas_set_num_threads(int threads);
 extern int openblas_get_num_threads(void);
 extern char *openblas_get_config(void);
@@ -86,14 +88,13 @@ static int map_areas(int threads) {
 }
 
 po_status po_linear_reserve(int threads) {
-  static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
   static int reserved;
   po_linear_single_thread();
-  pthread_mutex_lock(&lock);
+  po_lock_take(PO_LOCK_WORK_AREAS);
   if (reserved < threads && blas_memory_alloc && blas_memory_free)
     reserved = map_areas(threads);
   const bool enough = reserved >= threads || !blas_memory_alloc || !blas_memory_free;
-  pthread_mutex_unlock(&lock);
+  po_lock_release(PO_LOCK_WORK_AREAS);
   if (enough)
     return PO_OK;
   return po_fail(

@@ -2,12 +2,12 @@
 
 #include <float.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_csv.h"
 #include "po_hermite.h"
+#include "po_lock.h"
 #include "po_memory.h"
 #include "po_profile_kind.h"
 
@@ -331,7 +331,6 @@ po_status po_profile_table_displace(const po_profile_table *t, const double *cha
 
 /* All tables that were read. */
 static po_profile_table *tables;
-static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
 /* The table of a file with these bytes that was read before. */
 static const po_profile_table *find(const po_csv *csv, double scale, double smooth) {
@@ -349,7 +348,7 @@ po_status po_profile_table_read(const char *path, double scale, double smooth,
   po_status status = po_csv_read(path, path, &csv);
   if (status)
     return status;
-  pthread_mutex_lock(&lock);
+  po_lock_take(PO_LOCK_TABLES);
   *table = find(&csv, scale, smooth);
   if (!*table) {
     status = make(path, scale, smooth, &csv, &made);
@@ -358,17 +357,17 @@ po_status po_profile_table_read(const char *path, double scale, double smooth,
       *table = tables = made;
     }
   }
-  pthread_mutex_unlock(&lock);
+  po_lock_release(PO_LOCK_TABLES);
   po_csv_clear(&csv);
   return status;
 }
 
 void po_profile_table_clear(void) {
-  pthread_mutex_lock(&lock);
+  po_lock_take(PO_LOCK_TABLES);
   while (tables) {
     po_profile_table *t = tables;
     tables = t->next;
     po_profile_table_free(t);
   }
-  pthread_mutex_unlock(&lock);
+  po_lock_release(PO_LOCK_TABLES);
 }

@@ -15,4 +15,9 @@ static inline int pthread_mutex_unlock(pthread_mutex_t *mutex) {
   return 0;
 }
 
+static inline int pthread_atfork(void (*prepare)(void), void (*parent)(void), void (*child)(void)) {
+  (void)prepare, (void)parent, (void)child;
+  return 0;
+}
+
 #endif
