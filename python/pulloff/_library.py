@@ -1,21 +1,19 @@
 """The functions of libpulloff, as pulloff.h declares them."""
 
+from __future__ import annotations
+
 import ctypes
 import os
 import pathlib
 import shutil
 import subprocess
+from collections.abc import Iterator
 
 NAME = "libpulloff.so.0"
 
 
 class Message(ctypes.Structure):
     _fields_ = [("text", ctypes.c_char * 1024)]
-
-
-class PhysicalScene(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_double) for name in
-                ("modulus", "work", "distance", "radius", "amplitude", "wavelength", "outer_radius")]
 
 
 class UnitsOfScene(ctypes.Structure):
@@ -44,25 +42,21 @@ TO = ctypes.POINTER
 
 FUNCTIONS = {
     "version": (TEXT,),
-    "status_text": (TEXT, STATUS),
     "scene_create": (STATUS, TO(SCENE), MESSAGE),
-    "scene_copy": (STATUS, SCENE, TO(SCENE), MESSAGE),
     "scene_destroy": (None, SCENE),
     "key_count": (SIZE,),
     "key_name": (TEXT, SIZE),
     "key_expected": (TEXT, SIZE),
+    "key_help": (TEXT, SIZE),
     "scene_set": (STATUS, SCENE, TEXT, TEXT, MESSAGE),
-    "scene_set_number": (STATUS, SCENE, TEXT, NUMBER, MESSAGE),
     "scene_get": (STATUS, SCENE, TEXT, ctypes.c_char_p, SIZE, MESSAGE),
-    "scene_set_physical": (STATUS, SCENE, TO(PhysicalScene), TO(UnitsOfScene), MESSAGE),
     "scene_units": (STATUS, SCENE, TO(UnitsOfScene), MESSAGE),
     "scene_set_stop": (None, SCENE, TO(ctypes.c_int)),
+    "scene_set_seen": (None, SCENE, TO(ctypes.c_int)),
     "solve": (STATUS, SCENE, TO(RESULT), MESSAGE),
     "follow": (STATUS, SCENE, TEXT, TO(NUMBER), SIZE, TO(RESULT), MESSAGE),
     "theory": (STATUS, TEXT, SCENE, NUMBER, NUMBER, TO(RESULT), MESSAGE),
     "result_destroy": (None, RESULT),
-    "result_status": (STATUS, RESULT),
-    "result_reason": (TEXT, RESULT),
     "result_folds": (TO(SpecialPoint), RESULT, TO(SIZE)),
     "result_extrema": (TO(SpecialPoint), RESULT, TO(SIZE)),
     "result_curve": (TO(CurvePoint), RESULT, TO(SIZE)),
@@ -73,7 +67,7 @@ FUNCTIONS = {
 }
 
 
-def candidates():
+def candidates() -> Iterator[str]:
     """The files that may be the library, in order: that of PULLOFF_LIBRARY; below the prefix in which this module is
     installed, and that of the program pulloff in PATH; what the dynamic linker finds; what pkg-config names."""
     chosen = os.environ.get("PULLOFF_LIBRARY")
@@ -94,7 +88,8 @@ def candidates():
             yield os.path.join(said.stdout.strip(), NAME)
 
 
-def load():
+def load() -> ctypes.CDLL:
+    reason: object = None
     for name in candidates():
         try:
             library = ctypes.CDLL(name)

@@ -8,6 +8,8 @@ module=$(dirname "$(dirname "$(find "$work/prefix" -path '*/pulloff/__init__.py'
 example=$work/prefix/share/doc/pulloff/doc/examples/tour.py
 
 check 'the module is installed' test -d "$module"
+(cd "$source/python/pulloff" && ls ./*.py py.typed) >files.txt
+check 'all of its files' sh -c 'cd "$0/pulloff" && ls $(cat "$1")' "$module" "$work/files.txt"
 check 'the example with the installed module' alone PYTHONPATH="$module" $python -W error -B "$example"
 cp output tour.txt
 check 'its numbers' grep -q '^pull-off force 2.651192. +- ' tour.txt
@@ -23,6 +25,7 @@ check 'a library in lib64 is found' alone PYTHONPATH="$work/other/lib/python3/di
 if $python -c 'import setuptools, wheel, pip' 2>/dev/null; then
   cp -r "$source/python" package
   check 'pip installs the folder' $python -m pip install --quiet --no-build-isolation --no-deps --no-index --target site ./package
+  check 'all files of the folder' sh -c 'cd site/pulloff && ls $(cat "$0")' "$work/files.txt"
   folder=$(dirname "$(find "$work/prefix" -name libpulloff.so)")
   # In a virtual environment the module finds the library of the program in PATH, or that which pkg-config names.
   $python -m venv --without-pip --system-site-packages env

@@ -136,7 +136,7 @@ class SameNumbers(unittest.TestCase):
 class Scenes(unittest.TestCase):
     def test_shown(self):
         self.assertEqual(repr(pulloff.Scene(tabor=3, amplitude=1, wavelength=20, profile="cone:0.3", law="mie:4,10")),
-                         "<pulloff.Scene tabor=3 waves=1@20 profile=cone law=mie>")
+                         "pulloff.Scene(tabor=3, amplitude=1, wavelength=20, profile='cone:0.3', law='mie:4,10')")
 
     def test_keys(self):
         self.assertEqual(set(pulloff.keys()) & {"tabor", "law", "amplitude_ratio", "want", "profile_approach"},
@@ -238,7 +238,7 @@ class Texts(unittest.TestCase):
     def test_everything_is_documented(self):
         for name in pulloff.__all__:
             self.assertTrue(getattr(pulloff, name).__doc__, name)
-        for name in ("update", "copy", "physical", "solve"):
+        for name in ("update", "copy", "physical", "solve", "compare"):
             self.assertTrue(getattr(pulloff.Scene, name).__doc__, name)
 
     def test_the_header_declares_these_functions(self):
