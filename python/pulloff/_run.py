@@ -6,26 +6,26 @@ import contextlib
 import ctypes
 import sys
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from typing import Any, TypeVar
 
 from ._library import C, Message
 from ._result import Result, SolveError, check, result_of
-from ._values import KEYS, Error, encoded
+from ._values import Error, encoded, known_key
 
 _T = TypeVar("_T")
 
 
 @contextlib.contextmanager
-def in_library(given: Mapping[str, str]) -> Iterator[ctypes.c_void_p]:
+def in_library(given: dict[str, str]) -> Iterator[ctypes.c_void_p]:
     """The scene of the library with these texts. It exists during one call, and belongs to it alone: whatever becomes of
     a Scene meanwhile, in other threads, too, the library does not see."""
     message, handle = Message(), ctypes.c_void_p()
     check(C.pulloff_scene_create(handle, message), message)
     try:
-        for key, text in given.items():
-            value = encoded(key, text, KEYS.get(key, "a text"))
-            check(C.pulloff_scene_set(handle, encoded("key", key, "a text"), value, message), message)
+        for key, text in given.copy().items():
+            value = encoded(known_key(key), text, "a text")
+            check(C.pulloff_scene_set(handle, key.encode(), value, message), message)
         yield handle
     finally:
         C.pulloff_scene_destroy(handle)
@@ -71,7 +71,7 @@ def interruptible(call: Callable[[ctypes.c_int], _T], watch: Callable[[], None] 
         del error
 
 
-def solve_given(given: Mapping[str, str], stop: ctypes.c_int) -> Result:
+def solve_given(given: dict[str, str], stop: ctypes.c_int) -> Result:
     message, handle = Message(), ctypes.c_void_p()
     with in_library(given) as scene:
         C.pulloff_scene_set_stop(scene, stop)
@@ -102,7 +102,8 @@ def print_progress(seen: int, count: int) -> None:
     print(f"\r{seen}/{count} scenes", end="\n" if seen == count else "", file=sys.stderr, flush=True)
 
 
-def follow_given(given: Mapping[str, str], key: bytes, values: list[float], stop: ctypes.c_int, show: Progress | None) -> list[Result]:
+def follow_given(given: dict[str, str], key: bytes, values: list[float], stop: ctypes.c_int,
+                 show: Progress | None) -> list[Result]:
     numbers, handles, message = (ctypes.c_double * len(values))(*values), (ctypes.c_void_p * len(values))(), Message()
     with in_library(given) as scene:
         C.pulloff_scene_set_stop(scene, stop)

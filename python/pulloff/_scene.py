@@ -64,15 +64,12 @@ class Scene(MutableMapping[str, Any]):
         """Sets several keys, or none of them if one is refused."""
         if mapping is not None and not isinstance(mapping, Mapping):
             raise refuse("the argument of a scene", mapping, "keyword arguments, a scene or a dictionary")
-        given = self._given.copy()
-        for key, value in [*(mapping or {}).items(), *values.items()]:
-            text = text_of(known_key(key), value)
-            if text is None:
-                given.pop(key, None)
-                continue
-            with in_library({key: text}):  # which refuses a text that it does not accept
-                given[key] = text
-        self._given = given
+        texts = {known_key(key): text_of(key, value) for key, value in [*(mapping or {}).items(), *values.items()]}
+        given = {key: text for key, text in texts.items() if text is not None}
+        with in_library(given):  # which refuses a text that it does not accept
+            self._given.update(given)  # at once, for other threads
+        for key in texts.keys() - given.keys():
+            self._given.pop(key, None)
 
     def __setitem__(self, key: str, value: Any) -> None:
         self.update({key: value})

@@ -20,7 +20,7 @@ from ._library import C
 #: A real number, or its text in decimal notation; None unsets a key.
 Number = Union[float, decimal.Decimal, fractions.Fraction, np.floating, np.integer, str, None]
 Name = Optional[str]
-Names = Union[str, Iterable[str], None]
+Names = Union[str, list[str], tuple[str, ...], set[str], frozenset[str], None]
 Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes], None]
 Waves = Union[str, Sequence[Sequence[Number]], np.ndarray, None]
 
@@ -148,7 +148,7 @@ def _waves(value: object) -> str | None:
             wave = None if wave.ndim != 1 or isinstance(wave, np.ma.MaskedArray) else list(wave)
         if not isinstance(wave, (list, tuple)):
             return None
-        pair = [part if isinstance(part, str) else number(part) for part in wave]
+        pair = [part if isinstance(part, str) and "@" not in part else number(part) for part in wave]
         if len(pair) != 2 or None in pair:
             return None
         waves.append(f"{pair[0]}@{pair[1]}")
