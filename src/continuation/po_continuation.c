@@ -198,6 +198,15 @@ static po_status start(po_continuation *t) {
   return po_corrector_want_mesh(&t->c, p);
 }
 
+/* Whether the branch has returned to its beginning: the approach is below the first one, and the
+ * bodies are nowhere as near as they were there. The least gap alone does not show it: it is that
+ * of the nodes, and at the tip of a cone it changes with the mesh by more than in a step. The
+ * approach alone does not either: adhesion may hold the bodies together beyond the first one. */
+static bool is_back(const po_continuation *t) {
+  return po_solution_approach(&t->next) < t->first_approach &&
+         least_gap(t->c.e, t->next.state) > t->farthest;
+}
+
 /* Traces from the current point until the visitor ends the trace, or the branch returns to its
  * beginning. */
 static po_status go_on(po_continuation *t) {
@@ -205,7 +214,7 @@ static po_status go_on(po_continuation *t) {
   po_continuation_visit(t, &t->current, PO_POINT_STEP);
   while (!status && !t->ended) {
     status = po_continuation_advance(t);
-    const bool returned = !status && least_gap(t->c.e, t->next.state) > t->farthest;
+    const bool returned = !status && is_back(t);
     if (returned && !t->back)
       status = po_fail(PO_NOT_CONVERGED, "the branch returned to its beginning, at approach %.6g",
                        po_solution_approach(&t->next));
@@ -226,12 +235,13 @@ po_status po_continuation_run(po_continuation *t) {
   const po_status status = start(t);
   if (status)
     return status;
+  t->first_approach = po_solution_approach(&t->current);
   t->farthest = least_gap(t->c.e, t->current.state);
   return go_on(t);
 }
 
-/* Steps and meshes are those of the reverse trace: of the forward trace only the last point and the
- * least gap at the first point are used. */
+/* Steps and meshes are those of the reverse trace: of the forward trace only the last point, and
+ * approach and least gap of the first point are used. */
 po_status po_continuation_reverse(po_continuation *t, po_branch_visit visit_back, void *data) {
   po_solution_turn(&t->current);
   t->c.direction = -t->c.direction;

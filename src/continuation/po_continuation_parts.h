@@ -20,7 +20,7 @@ struct po_continuation {
   bool has_previous, ended;
   bool back;       /* on the reverse trace */
   int beyond;      /* number of special points of the last step beyond the end of the trace */
-  double farthest; /* least gap at the first point */
+  double first_approach, farthest; /* approach and least gap at the first point */
   int unstable_modes;
   double deepest; /* deepest minimum of the load so far */
   size_t points;
