@@ -29,6 +29,11 @@ static const double GREATEST_CHANGE = 1e3, DIVERGED = 10.0;
 static const double LINEAR = 1e-4;
 /* Mean contraction of an iteration above which a new factorisation is cheaper. */
 static const double SLOWEST = 0.45;
+/* Greatest error of the condition at which an iteration may have converged. The changes of the gaps
+ * alone do not show it: a prediction that closes the gaps far beyond any equilibrium, where the law
+ * is as stiff as 1e30, leaves them no change, but an approach that changes by as much. A step is
+ * about as long as 1, and where iterations converge the error is below 1e-6. */
+static const double GREATEST_LEFT = 0.1;
 /* A contact edge is narrow if the arclength functional gives approach and load less than this
  * weight (arclength_share). */
 static const double NARROW = 0.1;
@@ -110,13 +115,15 @@ static bool is_clear(const po_equilibrium *e, double change) {
 }
 
 /* One quasi-Newton iteration for Eq 15 and the condition. Returned: the largest change of a gap
- * relative to 1 + H; NaN if it is not finite. */
-static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint) {
+ * relative to 1 + H; NaN if it is not finite; left, the error of the condition before. */
+static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint,
+                          double *left) {
   const size_t n = e->n;
   const po_law *law = &e->scene->law;
   double *residual = e->deflection, *change = e->scratch;
   po_equilibrium_residual(e, state, residual);
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
+  *left = fabs(residual[n]);
   po_equilibrium_precondition(e, residual, change);
   drop_rounding(e, state, change);
   po_secant_step(&e->secant, e->last_change < LINEAR && is_clear(e, e->last_change), change);
@@ -209,11 +216,14 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
     const po_status stopped = po_watch_look();
     if (stopped)
       return stopped;
-    note_change(&p, newton_step(e, state, constraint));
+    double left;
+    note_change(&p, newton_step(e, state, constraint, &left));
     e->last_change = p.now;
     ++e->work.newton_iterations;
     if (is_converged(&p, fmax(e->precision, PRECISION_OF_NOISE * e->noise), stagnated(e)) ||
         is_noise(e, &p)) {
+      if (!(left < GREATEST_LEFT))
+        return PO_NOT_CONVERGED;
       po_equilibrium_evaluate(e, state);
       ++e->work.points;
       return PO_OK;
