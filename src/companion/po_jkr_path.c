@@ -267,6 +267,10 @@ po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_contro
     status = build(&b, end);
     if (!status)
       status = po_hysteresis_follow(&(po_path){b.point, b.count}, preload, spring, hysteresis);
+    if (!status && !hysteresis->has_load) {
+      po_hysteresis_clear(hysteresis);
+      status = PO_NOT_FOUND; /* a longer curve has one */
+    }
     free(b.point);
   }
   return status;

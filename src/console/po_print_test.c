@@ -165,6 +165,17 @@ static void print_loop(const po_loop *loop, const po_request *request) {
   }
 }
 
+/* Why there is no loop at given load. */
+static void print_no_loop(const po_request *request, const po_result *o) {
+  greatest g = {0};
+  po_si_take(&g.length, o->ended.approach);
+  po_si_take(&g.load, o->ended.load);
+  const units u = units_of(request, &g);
+  printf("load control: no loop, which begins at load 0: the trace ended at approach %.6g%s, load "
+         "%.6g%s, and has no stable equilibrium at load 0; a greater approach_end may have one\n",
+         o->ended.approach * u.length, u.of_length, o->ended.load * u.load, u.of_load);
+}
+
 /* The results of --want that are too long for the terminal: their size, and which option writes
  * them. */
 static void print_wanted(const po_request *request, const po_result *o) {
@@ -196,8 +207,12 @@ static void print_wanted(const po_request *request, const po_result *o) {
 }
 
 void po_print_test(const po_request *request, const po_result *result) {
-  for (int k = 0; result->has_hysteresis && k < 2 + result->hysteresis.has_spring; ++k)
-    print_loop(&result->hysteresis.of[k], request);
+  const po_hysteresis *h = &result->hysteresis;
+  for (int k = 0; result->has_hysteresis && k < 2 + h->has_spring; ++k)
+    if (k != PO_AT_LOAD || h->has_load)
+      print_loop(&h->of[k], request);
+    else
+      print_no_loop(request, result);
   if (result->has_staircases)
     print_staircases(request, result);
   print_wanted(request, result);

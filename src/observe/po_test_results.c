@@ -303,7 +303,8 @@ static po_status read_hysteresis(const po_reader *reader, const po_path *path) {
                                                 reader->request->stiffness, &o->hysteresis);
   o->has_hysteresis = !status;
   for (int k = 0; k < 2 + o->hysteresis.has_spring && !status; ++k)
-    read_loop(reader, path, &o->hysteresis.of[k]);
+    if (k != PO_AT_LOAD || o->hysteresis.has_load)
+      read_loop(reader, path, &o->hysteresis.of[k]);
   return status;
 }
 

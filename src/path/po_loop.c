@@ -90,8 +90,7 @@ static po_status start(loop_state *f) {
   f->at = (po_path_place){0, 0.0};
   if (f->control != PO_LOAD_CONTROL)
     return PO_OK;
-  if (!po_stable_find(f->path, f->control, 0, 1, 0.0, &f->at))
-    return po_fail(PO_NOT_FOUND, "the curve has no stable equilibrium at load 0");
+  po_stable_find(f->path, f->control, 0, 1, 0.0, &f->at);
   return add_jump(f, true, po_stable_apart(PO_LOAD_CONTROL, 0.0), 0, state_of(f));
 }
 
@@ -159,7 +158,8 @@ static po_status unload(loop_state *f) {
   }
 }
 
-/* One loop. Under load control loading begins at load 0. */
+/* One loop. Under load control loading begins at load 0, at which the curve has a stable
+ * equilibrium. */
 static po_status follow(const po_path *path, po_control control, po_preload preload,
                         po_loop *loop) {
   *loop = (po_loop){.control = control,
@@ -190,7 +190,9 @@ po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_contr
   *hysteresis = (po_hysteresis){.has_spring = false};
   po_status status = follow(path, PO_DISPLACEMENT_CONTROL, preload, &of[PO_AT_APPROACH]);
   const po_preload load = {(double)NAN, fmax(0.0, of[PO_AT_APPROACH].preload.load)};
-  if (!status)
+  po_path_place at_zero;
+  hysteresis->has_load = !status && po_stable_find(path, PO_LOAD_CONTROL, 0, 1, 0.0, &at_zero);
+  if (hysteresis->has_load)
     status = follow(path, PO_LOAD_CONTROL, load, &of[PO_AT_LOAD]);
   hysteresis->has_spring = !status && isfinite(spring);
   if (hysteresis->has_spring)

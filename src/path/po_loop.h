@@ -20,7 +20,8 @@
 /* Follows a curve of equilibria from separation to the preload and back, at given approach, at
  * given load, and through a spring. The load-controlled loop begins at load 0 and is reversed at
  * the load of the displacement-controlled preload, or at load 0 if that load is tensile; that
- * through the spring is reversed at the preload. Given: a preload with an approach or a load >= 0;
+ * through the spring is reversed at the preload. Without a stable equilibrium at load 0 there is no
+ * load-controlled loop. Given: a preload with an approach or a load >= 0;
  * the stiffness of the spring, INFINITY: none. Returned: hysteresis, to be cleared with
  * po_hysteresis_clear. Status: PO_NOT_FOUND if the curve ends before the preload, or does not begin
  * far enough out; PO_NO_MEMORY. */

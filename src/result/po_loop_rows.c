@@ -9,10 +9,9 @@
 // clang-format off
 #define NO_BOUND "for rings and triangles, and for the JKR theory"
 /* The tests of a scene, of a structure S with the members `of` and `has_spring`. Given: the rows of
- * one, and of that through the spring. */
-#define TESTS(rows, of_spring, at_approach, at_load, through_spring)                               \
-  PART("displacement_control", of[PO_AT_APPROACH], rows, at_approach),                             \
-  PART("load_control", of[PO_AT_LOAD], rows, at_load),                                             \
+ * one, the row at given load, and the rows through the spring. */
+#define TESTS(rows, at_given_load, of_spring, at_approach, through_spring)                         \
+  PART("displacement_control", of[PO_AT_APPROACH], rows, at_approach), at_given_load,              \
   {.key = "spring", .type = PO_ROW_PART, .offset = offsetof(S, of[PO_THROUGH_SPRING]),             \
    .present = AT(bool, has_spring), .block = &of_spring, .omitted = true,                          \
    TEXTS("", "absent without a stiffness", through_spring)},
@@ -160,7 +159,10 @@ static void settle_loops(void *of) {
 }
 
 static const po_row LOOPS[] = {
-  TESTS(LOOP_ROWS, SPRING_ROWS, "loading and unloading at given approach", "the same at given load",
+  TESTS(LOOP_ROWS,
+        OPTIONAL("load_control", of[PO_AT_LOAD], has_load, LOOP_ROWS,
+                 "if the curve has no equilibrium at load 0, at which this loop begins", "the same at given load"),
+        SPRING_ROWS, "loading and unloading at given approach",
         "the same through a spring, whose other end, the base, is moved: it is at approach + load/stiffness")
 };
 static const po_block LOOPS_ROWS = BLOCK("loops", LOOPS, settle_loops);
@@ -236,8 +238,8 @@ static void settle_staircases(void *of) {
 }
 
 static const po_row STAIRCASES[] = {
-  TESTS(STAIRS_ROWS, SPRING_STAIRS_ROWS, "the staircase at given approach", "the staircase at given load",
-        "the staircase through the spring")
+  TESTS(STAIRS_ROWS, PART("load_control", of[PO_AT_LOAD], STAIRS_ROWS, "the staircase at given load"),
+        SPRING_STAIRS_ROWS, "the staircase at given approach", "the staircase through the spring")
 };
 static const po_block STAIRCASES_ROWS = BLOCK("staircases", STAIRCASES, settle_staircases);
 #undef S

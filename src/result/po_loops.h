@@ -91,6 +91,7 @@ enum { PO_AT_APPROACH, PO_AT_LOAD, PO_THROUGH_SPRING, PO_TESTS };
 /* The loops of all tests. */
 typedef struct {
   po_loop of[PO_TESTS];
+  bool has_load; /* whether there is a loop at given load: the curve has an equilibrium at load 0 */
   bool has_spring;
 } po_hysteresis;
 

@@ -233,7 +233,7 @@ static po_status read_hysteresis(const json_t *root, po_answer *answer) {
   size_t count = 0;
   if (!part)
     return PO_OK;
-  o->has_hysteresis = true;
+  o->has_hysteresis = o->hysteresis.has_load = true;
   *loop = unknown_loop(PO_DISPLACEMENT_CONTROL);
   loop->energy_lost = read_member(answer, "hysteresis", part, "energy_lost");
   o->hysteresis.of[PO_AT_LOAD] = unknown_loop(PO_LOAD_CONTROL);
