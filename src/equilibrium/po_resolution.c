@@ -160,7 +160,7 @@ po_status po_resolution_fail(const po_panels *panels) {
     if (panels->panel[k].level == PO_DEEPEST_LEVEL)
       return po_fail(PO_OUT_OF_NODES,
                      "the traction needs panels shorter than 2^-%d of the domain: expected a "
-                     "smaller coupling or Tabor parameter, or a larger tolerance",
+                     "smaller coupling or Tabor parameter, in SI units a greater distance",
                      PO_DEEPEST_LEVEL);
   return po_fail(PO_OUT_OF_NODES,
                  "the traction needs more than %d panels: expected a larger tolerance, a smaller "

@@ -149,8 +149,19 @@ static po_status make_surface(const po_request *request, bool rigid, double core
   return po_surface_create_panels(scene, domain, level, surface);
 }
 
-/* Fails because the preload is so small that the trace passed no minimum of the load. */
+/* Fails because the points that are read have no minimum of the load: they begin beyond it, or the
+ * preload is so small that the trace passed none. */
 static po_status lacks_minimum(const po_request *request, const po_reader *reader) {
+  const po_curve_point *first = reader->points.path + reader->points.before;
+  if (!isnan(request->approach_start) && reader->points.count > reader->points.before &&
+      first->load_rate > 0.0)
+    return po_fail(
+        PO_NOT_FOUND,
+        "the load has no minimum between approach_start and approach %.6g: the trace is "
+        "read from approach %.6g, load %.6g on, where the load already rises; expected a "
+        "smaller approach_start, or none",
+        reader->result->ended.approach, first->approach,
+        first->load * po_scene_load_unit(&request->scene));
   const po_preload preload = po_request_preload(request);
   if (isnan(preload.approach))
     return po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g",
@@ -171,6 +182,21 @@ static po_status end_search(po_status status, po_reader *reader) {
   po_message_clear();
   reader->result->ended.cause = PO_END_SEARCHED;
   return PO_OK;
+}
+
+/* A trace that fails before it meets the preload has no pull-off: a deeper minimum may follow. The
+ * message then has the deepest minimum so far. Returned: the status. */
+static po_status without_pull_off(po_status status, const po_reader *reader) {
+  po_result *o = reader->result;
+  if (!status || reader->stopping.met || !o->has_pull_off)
+    return status;
+  o->has_pull_off = false;
+  return po_fail(
+      status,
+      "%s; the deepest minimum of the load so far, %.6g at approach %.6g, need not be the "
+      "pull-off",
+      *po_message() ? po_message() : po_status_text(status),
+      -o->pull_off.force * po_scene_load_unit(&reader->request->scene), o->pull_off.approach);
 }
 
 po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kept,
@@ -205,14 +231,17 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
     result->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
   if (!status && !reader.stopping.met && !isnan(request->approach_end) &&
       !isnan(request->preload.load))
-    status = po_fail(
-        PO_NOT_FOUND, "the trace ended at approach %.6g, load %.6g, before the load %g was reached",
-        result->ended.approach, result->ended.load * po_scene_load_unit(&request->scene),
-        request->preload.load * po_scene_load_unit(&request->scene));
+    status =
+        po_fail(PO_NOT_FOUND,
+                "the trace ended at approach %.6g, load %.6g, before the load %g was reached; "
+                "expected a greater approach_end, or a smaller load",
+                result->ended.approach, result->ended.load * po_scene_load_unit(&request->scene),
+                request->preload.load * po_scene_load_unit(&request->scene));
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
   if (!status)
     status = po_test_results(&reader, &a->begin);
+  status = without_pull_off(status, &reader);
 done:
   a->unmet_folds = reader.special.unmet_folds;
   po_reader_end(&reader);

@@ -224,7 +224,7 @@ static const po_row RESULT[] = {
   DERIVED("end", LENGTH, end_of, "", "if nothing was traced", "approach at which the trace ended; the same as `ended.approach`"),
   {.key = "ended", .type = PO_ROW_PART, .block = &ENDED_ROWS, .absent = is_followed,
    TEXTS("", "if followed", "where and why the trace ended")},
-  OPTIONAL_GROUP("pull_off", has_pull_off, PO_PULL_OFF_ROWS, "if none was found", "the pull-off that belongs to the preload"),
+  OPTIONAL_GROUP("pull_off", has_pull_off, PO_PULL_OFF_ROWS, "if none was found, or the trace failed before the preload", "the pull-off that belongs to the preload"),
   OPTIONAL_GROUP("pull_off_any", pull_off_any.is_known, ANY_ROWS,
                  "if no test at given approach measures a pull-off on this branch, or if followed",
                  "the greatest pull-off that any preload gives"),

@@ -67,7 +67,7 @@ def test_the_record_and_one_that_is_made_from_it():
     (2, "--preload-load is 1: expected --preload-load-n, as the scene is in SI units",
      "--from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --preload-load 1"),
     (2, "--approach-end is 0.5: expected at least the preload, 0.7", "--approach-end 0.5 --preload 0.7"),
-    (3, "the solve failed: the trace ended at approach 0.5, load *, before the load 7 was reached",
+    (3, "the solve failed: the trace ended at approach 0.5, load *, before the load 7 was reached; expected a greater approach_end, or a smaller load; the deepest minimum of the load so far, *",
      "--tabor 2.385 --approach-end 0.5 --preload-load 7")])
 def test_wrong_preloads(code, message, words):
     expect(code, "pulloff: " + message, "solve " + words)
@@ -182,3 +182,33 @@ def test_a_state_at_a_special_point_is_that_point(scene):
         least = points.get(loop["pull_off"]["position"])
         assert not least or loop["pull_off"]["energy"] == least["energy"]
     assert seen
+
+
+def test_a_trace_that_ends_under_tension_has_the_loop_at_given_approach():
+    """The loop at given load begins at load 0. Without an equilibrium there, the solve failed and had no loop at all."""
+    words = "solve --tabor 5 --want hysteresis --stiffness 1 --approach-end "
+    short, long = (document(words + end)["hysteresis"] for end in ("-2", "60"))
+    assert short["load_control"] is None and long["load_control"]["pull_off"]["force"] > 1.5
+    for test in "displacement_control", "spring":
+        for of_short, of_long in zip(short[test]["jumps"], long[test]["jumps"], strict=True):
+            assert math.isclose(of_short["energy_lost"], of_long["energy_lost"], rel_tol=1e-5)
+    assert expect(0, "", words + "-2").count("^load control: no loop, which begins at load 0: the trace ended at approach -2, ") == 1
+
+
+@pytest.mark.parametrize("scene, start", (("--tabor 5", 0), ("--tabor 0.3", 1), ("--tabor 3 --preload 8", 2), ("--tabor 0", 0.5)))
+def test_a_trace_that_is_read_from_inside_the_contact_says_so(scene, start):
+    """It named the end of the trace, or advised a harder preload, which does not help. What it advises does."""
+    ended = expect(3, "*the trace is read from approach *; expected a smaller approach_start, or none",
+                   f"solve {scene} --approach-start {start}")
+    assert "pull-off force" not in ended.out
+    forces = [document(f"solve {scene} {more}")["pull_off"]["force"] for more in ("--approach-start -30", "")]
+    assert math.isclose(*forces, rel_tol=1e-6)
+
+
+def test_a_trace_that_ends_before_its_preload_has_no_pull_off():
+    """It stated the deepest minimum so far as the pull-off. With what the message advises, there is one."""
+    words = "solve --tabor 5 --preload-load 0.5 --json --approach-end "
+    ended = expect(3, "*the deepest minimum of the load so far, -1.52572 at approach -3.95939, need not be the pull-off", words + "-2")
+    assert ended.json["status"] == "not_found" and ended.json["pull_off"] is None
+    assert "expected a greater approach_end" in ended.err
+    assert document(words + "20")["pull_off"]["force"] > 1.5257
