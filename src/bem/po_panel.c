@@ -23,9 +23,8 @@ static double cube(double x) {
 static const double USUAL_DECAY = 6.0;
 
 double po_panel_decay(const po_scene *scene) {
-  const po_law_numbers *far = po_law_numbers_of(&scene->law);
-  return isinf(far->exponent) ? USUAL_DECAY
-                              : po_profile_shape(&scene->profile).growth * far->exponent;
+  const double decay = po_scene_decay(scene);
+  return isinf(decay) ? USUAL_DECAY : decay;
 }
 
 double po_panel_energy_decay(const po_scene *scene) {

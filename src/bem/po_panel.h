@@ -33,8 +33,8 @@ typedef struct {
 } po_panel_span;
 
 /* The decay of the traction of a scene far out: the exponent of the far field of its
- * law times the power by which its profile grows. A
- * law without an algebraic far field leaves nothing there, and any decay serves. */
+ * law times the power by which its profile grows (po_scene_decay). Where nothing acts there, any
+ * decay serves. */
 double po_panel_decay(const po_scene *scene);
 
 /* The decay of the energy of the interaction, one exponent of the law less; of its difference from

@@ -33,8 +33,7 @@ static const double GRADING = 3.0;
 double po_surface_core(const po_scene *scene, double deepest) {
   if (isfinite(scene->outer_radius))
     return scene->outer_radius;
-  const double gap = po_law_numbers_of(&scene->law)->reach +
-                     2.0 * po_scene_scales(scene).contact_gap +
+  const double gap = po_scene_reach(scene) + 2.0 * po_scene_scales(scene).contact_gap +
                      fmax(isnan(deepest) ? 0.0 : deepest, 0.0);
   return po_initial_gap_radius(scene, gap);
 }

@@ -123,9 +123,13 @@ void po_profile_rescale(po_profile *profile, double epsilon) {
       p[k] /= epsilon;
 }
 
+/* Gaps beyond are this one, eps: nothing acts there, and a gap that overflows leaves no number. */
+static const double FARTHEST = 1e150;
+
 double po_profile_gap(const po_profile *profile, double radius, double r) {
   const po_profile_kind *kind = kind_of(profile);
-  return kind->over_radius ? kind->gap(profile, r) / radius : kind->gap(profile, r);
+  const double gap = kind->over_radius ? kind->gap(profile, r) / radius : kind->gap(profile, r);
+  return gap < FARTHEST ? gap : FARTHEST;
 }
 
 double po_profile_slope(const po_profile *profile, double radius, double r) {
@@ -135,6 +139,8 @@ double po_profile_slope(const po_profile *profile, double radius, double r) {
 
 po_two po_profile_gap_exact(const po_profile *profile, double radius, double r) {
   const po_profile_kind *kind = kind_of(profile);
+  if (!(po_profile_gap(profile, radius, r) < FARTHEST))
+    return po_two_of(FARTHEST);
   const po_two gap = kind->gap_exact(profile, r);
   return kind->over_radius ? po_two_divide(gap, po_two_of(radius)) : gap;
 }

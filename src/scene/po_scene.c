@@ -158,6 +158,27 @@ bool po_scene_has_infinite_energy(const po_scene *scene) {
   return isinf(scene->outer_radius) && fall * po_profile_shape(&scene->profile).growth <= 2.0;
 }
 
+/* The greatest decay on a panel to infinity. Its outermost node is at 1/0.0053 of its beginning,
+ * where r^132 times the square of a radius of 1e8 eps overflows. */
+static const double STEEPEST_DECAY = 130.0;
+
+/* Part of the work of adhesion that is nothing beside it. With a decay above STEEPEST_DECAY it is
+ * left at 1.4 times the radius at which half of the attraction is left, or nearer. */
+static const double NOTHING = 1e-18;
+
+double po_scene_decay(const po_scene *scene) {
+  const double decay =
+      po_law_numbers_of(&scene->law)->exponent * po_profile_shape(&scene->profile).growth;
+  return decay > STEEPEST_DECAY ? INFINITY : decay;
+}
+
+double po_scene_reach(const po_scene *scene) {
+  const po_law_numbers *far = po_law_numbers_of(&scene->law);
+  if (isinf(far->exponent) || isfinite(po_scene_decay(scene)))
+    return far->reach;
+  return fmax(far->reach, po_pow(NOTHING, -1.0 / (far->exponent - 1.0)));
+}
+
 double po_scene_load_unit(const po_scene *scene) {
   return scene->load_unit > 0.0 ? scene->load_unit : 1.0;
 }

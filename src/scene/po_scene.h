@@ -74,6 +74,14 @@ bool po_scene_is_of_paper(const po_scene *scene);
  * that of the initial gap at approach 0, far out. */
 bool po_scene_has_infinite_energy(const po_scene *scene);
 
+/* The power with which the traction of an unbounded surface falls far out: the exponent of the law
+ * times the power by which the profile grows. INFINITY if nothing acts beyond the reach: the law
+ * falls exponentially, or the power is too large for a panel to infinity. */
+double po_scene_decay(const po_scene *scene);
+
+/* The initial gap, eps, from which on the interaction is that of the far field. */
+double po_scene_reach(const po_scene *scene);
+
 /* The factor of a load in messages, see po_load_unit.h. */
 double po_scene_load_unit(const po_scene *scene);
 

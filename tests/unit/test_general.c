@@ -39,6 +39,10 @@ START_TEST(a_point_is_measured_on_the_mesh_of_the_next) {
   stop = 0;
   ck_assert_msg(po_observe(&request, &o) == PO_INTERRUPTED, "%s", o.reason);
   ck_assert_uint_ge(o.fold_count, 6);
+  /* the deepest minimum before the preload was stated as the pull-off */
+  ck_assert(!o.has_pull_off);
+  ck_assert_msg(strstr(o.reason, "the deepest minimum of the load so far, -") != NULL, "%s",
+                o.reason);
   for (size_t k = 0; k < o.fold_count; ++k)
     ck_assert_msg(isfinite(o.folds[k].approach_error), "fold at approach %g", o.folds[k].approach);
   po_result_clear(&o);
@@ -106,8 +110,70 @@ START_TEST(energies_of_profiles_with_a_corner_are_within_their_errors) {
 }
 END_TEST
 
+/* Solves a request. Returned: the pull-off force, 0 if there is none. */
+static double solved(po_request *request, double *error) {
+  po_result o;
+  const po_status status = po_observe(request, &o);
+  ck_assert_msg(!status, "%s", o.reason);
+  const double force = o.has_pull_off ? o.pull_off.force : 0.0;
+  *error = o.has_pull_off ? o.pull_off.force_error : NAN;
+  po_result_clear(&o);
+  return force;
+}
+
+/* A trace from so far out that the first step is on another mesh, whose first node is farther from
+ * the tip of the cone. The least gap of the nodes therefore grew by more than the bodies
+ * approached, and the trace failed at its second point: "the branch returned to its beginning". The
+ * force does not depend on where the trace begins. */
+START_TEST(a_tip_between_the_nodes_is_no_return) {
+  po_request request =
+      request_of("lennard-jones", "cone:0.717956", "0.18996", "1.04875@70.7415", 1e-6);
+  double near_error, far_error;
+  request.preload.load = 1.0;
+  const double near = solved(&request, &near_error);
+  request.approach_start = -29683.25;
+  const double far = solved(&request, &far_error);
+  ck_assert_double_eq_tol(near, far, near_error + far_error);
+}
+END_TEST
+
+/* A long step predicts a gap at which a traction as (1 + H)^-35 is 1e36. Newton's method then
+ * changed the approach by 1e30 and no gap, and the prediction passed
+ * for an equilibrium, which no mesh resolved: "the traction needs 8192 panels, more than 4096". */
+START_TEST(a_prediction_beyond_contact_is_no_equilibrium) {
+  po_request request = request_of("mie:14.3,35", "sphere", "0.2619", NULL, 1e-6);
+  ck_assert(po_key_set(&request, PO_KEY_RADIUS, "320"));
+  ck_assert(po_key_set(&request, PO_KEY_TABOR, "2.8"));
+  request.scene.outer_radius = 16.0;
+  double error, other;
+  const double force = solved(&request, &error);
+  ck_assert_double_eq_tol(force, 0.54831, 1e-3 * force); /* 801 nodes of triangles */
+  request.mesh.tolerance = 1e-8;
+  ck_assert_double_eq_tol(force, solved(&request, &other), error + other);
+}
+END_TEST
+
+static const struct {
+  const char *law, *profile, *outer;
+} STEEP[] = {{"mie:20,40", "power:1e-8,9", "30"}, {"mie:4,12", "power:1e-32,40", "9"}};
+
+/* The traction falls as r^-180 and as r^-160 far out. The weights of the panel to infinity
+ * overflowed, so that there was "no equilibrium at the start". What is beyond a cut at which the
+ * gap is 2e5 and 1.5e6 eps changes nothing. */
+START_TEST(steep_profiles_are_solved_on_the_half_space) {
+  po_request request = request_of(STEEP[_i].law, STEEP[_i].profile, "0.05", NULL, 1e-6);
+  double error, cut_error;
+  const double force = solved(&request, &error);
+  ck_assert(po_key_set(&request, PO_KEY_OUTER_RADIUS, STEEP[_i].outer));
+  ck_assert_double_eq_tol(force, solved(&request, &cut_error), error + cut_error);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, a_point_is_measured_on_the_mesh_of_the_next);
+  tcase_add_test(tests, a_tip_between_the_nodes_is_no_return);
+  tcase_add_test(tests, a_prediction_beyond_contact_is_no_equilibrium);
+  tcase_add_loop_test(tests, steep_profiles_are_solved_on_the_half_space, 0, 2);
   tcase_add_loop_test(tests, energies_lost_are_within_their_errors, 0,
                       sizeof KINKS / sizeof *KINKS);
   tcase_add_loop_test(tests, energies_of_profiles_with_a_corner_are_within_their_errors, 0, 2);
