@@ -58,7 +58,8 @@ def end_of_tension(profile, coupling, tension, a):
 
 MAUGIS_SCENES = [(words, coupling, tension, a) for words in (
     ("sphere", "-", "100"), ("cone:0.3", "-", "-"), ("power:0.05;1.5", "-", "-"), ("power:0.001;4", "-", "-"),
-    ("truncated:5;20", "-", "-"), ("punch:5;20", "-", "-"), ("sphere", "0.05@30", "100"))
+    ("truncated:5;20", "-", "-"), ("punch:5;20", "-", "-"), ("sphere", "0.05@30", "100"),
+    ("exact_sphere:25", "-", "-"), ("hyperboloid:0.3;2", "-", "-"))
     for coupling, tension in (("0.05", "1.0264"), ("2", "1.0264"), ("0.7", "3"))
     for a in ("6.3", "9.1")]
 

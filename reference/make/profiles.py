@@ -102,6 +102,67 @@ class Truncated(Punch):
 
 
 @dataclass(frozen=True)
+class ExactSphere:
+    """radius - sqrt(radius^2 - r^2) up to 1023/1024 radius, beyond it the parabola of the same value and slope; times a
+    length."""
+    radius: float
+    length: float = 1.0
+    grading = 0.6             # the curvature jumps
+    growth = 2.0
+    extent = np.inf
+
+    def __post_init__(self):
+        if not self.radius > 0.0:
+            raise ValueError(f"exact_sphere:{self.radius:g}: expected R > 0")
+
+    @property
+    def end(self):
+        return 1023 / 1024 * self.radius
+
+    @property
+    def kinks(self):
+        return (self.end,)
+
+    def height(self, r):
+        return np.sqrt((self.radius - r) * (self.radius + r))
+
+    def gap(self, r):
+        inner = np.minimum(r, self.end)
+        more = np.maximum((r - self.end) * (r + self.end), 0.0) / (2.0 * self.height(self.end))
+        return self.length * (inner**2 / (self.radius + self.height(inner)) + more)
+
+    def slope(self, r):
+        return self.length * r / self.height(np.minimum(r, self.end))
+
+    def in_units_of(self, width):
+        return replace(self, radius=self.radius / width, length=self.length * width)
+
+
+@dataclass(frozen=True)
+class Hyperboloid:
+    """factor (sqrt(r^2 + tip^2) - tip): a cone with a blunt tip."""
+    factor: float
+    tip: float
+    kinks = ()
+    grading = 1.0
+    growth = 1.0
+    extent = np.inf
+
+    def __post_init__(self):
+        if not (self.factor > 0.0 and self.tip > 0.0):
+            raise ValueError(f"hyperboloid:{self.factor:g},{self.tip:g}: expected both > 0")
+
+    def gap(self, r):
+        return self.factor * r**2 / (np.hypot(r, self.tip) + self.tip)
+
+    def slope(self, r):
+        return self.factor * r / np.hypot(r, self.tip)
+
+    def in_units_of(self, width):
+        return Hyperboloid(self.factor * width, self.tip / width)
+
+
+@dataclass(frozen=True)
 class Table:
     """Rows (r, f) joined by a cubic spline, level at r = 0."""
     spline: CubicSpline
@@ -187,12 +248,14 @@ MAKERS = {
     "cone": lambda slope: Power(slope, 1.0),
     "punch": lambda flat, radius: Punch(flat, 1.0 / radius),
     "truncated": lambda flat, radius: Truncated(flat, 1.0 / radius),
+    "exact_sphere": ExactSphere,
+    "hyperboloid": Hyperboloid,
 }
 
 
 def profile_of(text, waves="-", radius="-"):
-    """The profile of `sphere` (of that radius), `power:C,n`, `cone:t`, `punch:b,R`, `truncated:b,R` or `table:FILE`,
-    with the waves `A@L;A@L...` ("-": none). In a table `;` stands for the commas."""
+    """The profile of `sphere` (of that radius), `power:C,n`, `cone:t`, `punch:b,R`, `truncated:b,R`, `exact_sphere:R`,
+    `hyperboloid:t,b` or `table:FILE`, with the waves `A@L;A@L...` ("-": none). In a table `;` stands for the commas."""
     name, _, rest = text.partition(":")
     if name == "sphere":
         base = Sphere(1.0 / float(radius))
@@ -202,8 +265,8 @@ def profile_of(text, waves="-", radius="-"):
         try:
             base = MAKERS[name](*(float(word) for word in rest.replace(";", ",").split(",")))
         except (KeyError, TypeError):
-            raise ValueError(f"profile {text}: expected sphere, power:C,n, cone:t, punch:b,R, truncated:b,R "
-                             "or table:FILE") from None
+            raise ValueError(f"profile {text}: expected sphere, power:C,n, cone:t, punch:b,R, truncated:b,R, "
+                             "exact_sphere:R, hyperboloid:t,b or table:FILE") from None
     if waves == "-":
         return base
     pairs = [[float(word) for word in wave.split("@")] for wave in waves.split(";")]

@@ -10,7 +10,7 @@ The load at approach D is int p(f(r) - D) 2 pi r dr; units and profiles as in jk
 
 import sys
 
-from mpmath import beta, diff, exp, findroot, gamma, mpf, pi, quad, sqrt
+from mpmath import asin, beta, cos, diff, exp, findroot, gamma, mpf, pi, quad, sin, sqrt
 
 from certified import Table, command_line, text
 from jkr_profiles import DIGITS, Profile, header, numbers
@@ -37,7 +37,8 @@ class Law:
 RIGID_LAWS = "mie:3;9 mie:4;10 mie:5;12.5 morse:1 morse:3".split()
 RIGID_PROFILES = [("sphere", "-", "100"), ("cone:0.3", "-", "-"), ("power:0.05;1.5", "-", "-"),
                   ("power:0.001;4", "-", "-"), ("power:0.013;2.7", "-", "-"), ("truncated:5;20", "-", "-"),
-                  ("punch:5;20", "-", "-")]
+                  ("punch:5;20", "-", "-"), ("exact_sphere:30", "-", "-"), ("exact_sphere:4", "-", "-"),
+                  ("hyperboloid:0.3;2", "-", "-")]
 
 
 def moments(law, approach, n, factor):
@@ -53,6 +54,21 @@ def primitive(law, gap):
     return sum(k * ((1 + gap) ** (1 - e) / (e - 1) if law.mie else exp(-e * gap) / e) for k, e in law.terms)
 
 
+def second_primitive(law, gap):
+    """The integral of primitive over the gap from here on."""
+    return sum(k * ((1 + gap) ** (2 - e) / ((e - 1) * (e - 2)) if law.mie else exp(-e * gap) / e ** 2) for k, e in law.terms)
+
+
+def sphere_load(law, radius, approach):
+    """int p r dr over the gap h of an exact sphere: r dr = (R - h) dh, by parts, up to its end, and beyond it r dr = (R -
+    h) dh with the h of the end."""
+    last = radius - sqrt(radius ** 2 - ((1 - mpf(2) ** -10) * radius) ** 2)
+    first, beyond = -approach, last - approach
+    inner = (radius * primitive(law, first) - (radius - last) * primitive(law, beyond)
+             - (second_primitive(law, first) - second_primitive(law, beyond)))
+    return 2 * (inner + (radius - last) * primitive(law, beyond))
+
+
 def rigid_load(law, words, approach):
     """Load in pi w epsilon by closed forms: 2 int p(f - D) r dr. Beyond a flat the radius is R (its own gap) for a
     truncated sphere, and b + sqrt(2 R gap) for a rounded punch."""
@@ -62,6 +78,11 @@ def rigid_load(law, words, approach):
     if name in ("cone", "power"):
         values = numbers(rest)
         return 2 * moments(law, approach, *( (mpf(1), values[0]) if name == "cone" else values[::-1]))
+    if name == "exact_sphere":
+        return sphere_load(law, numbers(rest)[0], approach)
+    if name == "hyperboloid":    # gap t u, r dr = (u + b) du: a cone and a paraboloid
+        slope, b = numbers(rest)
+        return 2 * moments(law, approach, mpf(1), slope) + 2 * b / slope * primitive(law, -approach)
     b, radius = numbers(rest)
     flat = b * b * law.traction(-approach)
     if name == "truncated":
@@ -88,8 +109,19 @@ def rigid_load_by_quadrature(law, words, approach):
         values = numbers(rest)
         n = mpf(1) if name == "cone" else values[1]
         gaps[name] = lambda r: values[0] * r ** n
+    elif name == "hyperboloid":
+        slope, tip = numbers(rest)
+        gaps[name] = lambda r: slope * (sqrt(r * r + tip * tip) - tip)
+    elif name == "exact_sphere":
+        sphere, end = numbers(rest)[0], base.breaks[0]
+        height = sqrt(sphere ** 2 - end ** 2)
+        gaps[name] = lambda r: sphere - height + (r * r - end ** 2) / (2 * height)
     gap, b = gaps[name], base.breaks[0] if base.breaks else mpf(0)
-    inner = b * b * law.traction(-approach)
+    if name == "exact_sphere":
+        inner = 2 * quad(lambda t: law.traction(sphere - sphere * cos(t) - approach) * sphere ** 2 * sin(t) * cos(t),
+                         [asin(end / sphere) * i / 40 for i in range(41)])
+    else:
+        inner = b * b * law.traction(-approach)
     # r = b + e^t: to where what is left is below the digits carried; halves of a range that shrinks it each way
     low, high = mpf(-60), mpf(140) if law.mie else mpf(12)
     ends = [low + (high - low) * i / 40 for i in range(41)]

@@ -11,6 +11,7 @@
 #include "po_jkr_profile.h"
 #include "po_maugis.h"
 #include "po_memory.h"
+#include "po_profile_kind.h"
 #include "po_rigid_profile.h"
 #include "po_scales.h"
 #include "po_watch.h"
@@ -236,8 +237,12 @@ static void decide(const assumption *list, const double number[PO_ASSUMPTION_COU
 
 /* -- The rows -- */
 
+static bool has_pull_off(const po_result *result) {
+  return result->has_pull_off && !result->status;
+}
+
 static void compare(const po_result *result, po_theory_row *row) {
-  const double force = result->has_pull_off ? result->pull_off.force : (double)NAN,
+  const double force = has_pull_off(result) ? result->pull_off.force : (double)NAN,
                error = result->pull_off.force_error;
   row->deviation = row->force / force - 1.0;
   row->deviation_error = row->force / force * error / (force - error);
@@ -309,4 +314,16 @@ static po_status hysteresis(const po_scene *scene, po_preload preload, po_contro
   return po_jkr_hysteresis(scene, preload, spring, SIZE_MAX, loops);
 }
 
-const po_companion PO_COMPANION_JKR = {bound, hysteresis, po_jkr_staircases, theories};
+static double parabola_excess(const po_scene *scene) {
+  po_scene exact = *scene;
+  po_contact of_parabola, of_sphere;
+  exact.profile.kind = &PO_EXACT_SPHERE;
+  exact.profile.parameter[PO_EXACT_SPHERE_R] = scene->radius;
+  const bool are_known = !po_jkr_profile_pull_off(scene, PO_FIXED_LOAD, &of_parabola) &&
+                         !po_jkr_profile_pull_off(&exact, PO_FIXED_LOAD, &of_sphere);
+  po_message_clear();
+  return are_known ? of_parabola.load / of_sphere.load - 1.0 : (double)NAN;
+}
+
+const po_companion PO_COMPANION_JKR = {bound, hysteresis, po_jkr_staircases, theories,
+                                       parabola_excess};

@@ -90,6 +90,25 @@ static void print_pull_off(const po_result *o) {
            o->pull_off.approach_error, o->pull_off.contact_radius_error);
 }
 
+/* Part of R. At this contact radius the gap of the sphere exceeds that of the parabola by 2 %, and
+ * the pull-off force of the parabola by JKR theory that of the sphere by 4 %. */
+static const double WIDE_CONTACT = 0.3;
+
+/* A line if the contact at pull-off is too wide for a parabola in place of a sphere. */
+static void print_parabola(const po_request *request, const po_result *o) {
+  const po_scene *scene = &request->scene;
+  if (!po_profile_is_sphere(&scene->profile) || !o->has_pull_off || !request->companion ||
+      !(o->pull_off.contact_radius > WIDE_CONTACT * scene->radius))
+    return;
+  printf("sphere   the contact radius is %.3g R, where the parabola r^2/(2R) is no sphere",
+         o->pull_off.contact_radius / scene->radius);
+  const double excess = request->companion->parabola_excess(scene);
+  if (isfinite(excess))
+    printf(": by JKR theory the force of the parabola is that of the sphere %+.0f %%",
+           100.0 * excess);
+  printf("; --profile exact_sphere is the sphere\n");
+}
+
 /* The derivatives of the pull-off force by the inputs, as changes in percent. A profile without a
  * radius has the coupling C as input; with tabor = (C^2 R)^(1/3). */
 static void print_sensitivity(const po_request *request, const po_result *o) {
@@ -258,8 +277,9 @@ static void print_input(const po_request *request) {
 }
 
 /* The theories of the line, at most so many, the nearest one first. Of two with the same force the
- * first one is named. */
-static const po_theory KNOWN[] = {PO_THEORY_MAUGIS, PO_THEORY_JKR, PO_THEORY_GUDURU, PO_THEORY_DMT,
+ * first one is named, which is the simpler one: in the limit of large Tabor parameters JKR, not
+ * Maugis-Dugdale. */
+static const po_theory KNOWN[] = {PO_THEORY_JKR, PO_THEORY_MAUGIS, PO_THEORY_GUDURU, PO_THEORY_DMT,
                                   PO_THEORY_RIGID};
 enum { KNOWN_COUNT = sizeof KNOWN / sizeof *KNOWN, MOST_NAMED = 3 };
 static const double SAME = 1e-6;
@@ -296,6 +316,7 @@ void po_print_summary(const po_request *request, const po_result *result) {
          result->rigid ? ", solved as rigid" : "",
          result->has_pull_off ? "" : ", no pull-off found");
   print_pull_off(result);
+  print_parabola(request, result);
 }
 
 po_status po_print_text(const po_request *request, const po_given *given, const po_result *result) {

@@ -33,10 +33,12 @@
     HELP("parameter A, for --law morse without parameter")) \
   X(PROFILE, "profile", WORDS(PO_PROFILE_EXPECTED), NUMBER, PROFILE, NO_PLACE, CONSTANT, EVERY, "PROFILE", \
     HELPS("initial gap without waves: sphere, power:C,N (C r^N), cone:T (T r), punch:B,R (0 up to B, (r-B)^2/2R " \
-          "beyond) or truncated:B,R (0 up to B, (r^2-B^2)/2R beyond); lengths in epsilon (default sphere)", \
+          "beyond), truncated:B,R (0 up to B, (r^2-B^2)/2R beyond), exact_sphere:R (R-sqrt(R^2-r^2)) or " \
+          "hyperboloid:T,B (T(sqrt(r^2+B^2)-B)); lengths in epsilon (default sphere: the parabola r^2/2R)", \
           "initial gap without waves (rigid, jkr, maugis): sphere, power:C,N (C r^N), cone:T (T r), punch:B,R " \
-          "(0 up to B, (r-B)^2/2R beyond) or truncated:B,R (0 up to B, (r^2-B^2)/2R beyond); lengths in epsilon " \
-          "(default sphere)")) \
+          "(0 up to B, (r-B)^2/2R beyond), truncated:B,R (0 up to B, (r^2-B^2)/2R beyond), exact_sphere:R " \
+          "(R-sqrt(R^2-r^2)) or hyperboloid:T,B (T(sqrt(r^2+B^2)-B)); lengths in epsilon (default sphere: the " \
+          "parabola r^2/2R)")) \
   X(POWER_C, "power_c", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_POWER_C), VARIES, EVERY, "C", NO_HELP) \
   X(POWER_N, "power_n", OTHER(POSITIVE, "a number from 1 to 40"), \
     NUMBER, PROFILE, OF_PROFILE(PO_POWER_N), VARIES, EVERY, "N", NO_HELP) \
@@ -44,7 +46,10 @@
   X(PUNCH_B, "punch_b", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_PUNCH_B), VARIES, EVERY, "B", NO_HELP) \
   X(PUNCH_R, "punch_r", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_PUNCH_R), VARIES, EVERY, "R", NO_HELP) \
   X(TRUNCATED_B, "truncated_b", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_TRUNCATED_B), VARIES, EVERY, "B", NO_HELP) \
-  X(TRUNCATED_R, "truncated_r", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_TRUNCATED_R), VARIES, EVERY, "R", \
+  X(TRUNCATED_R, "truncated_r", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_TRUNCATED_R), VARIES, EVERY, "R", NO_HELP) \
+  X(EXACT_SPHERE_R, "exact_sphere_r", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_EXACT_SPHERE_R), VARIES, EVERY, "R", NO_HELP) \
+  X(HYPERBOLOID_T, "hyperboloid_t", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_HYPERBOLOID_T), VARIES, EVERY, "T", NO_HELP) \
+  X(HYPERBOLOID_B, "hyperboloid_b", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_HYPERBOLOID_B), VARIES, EVERY, "B", \
     HELP("parameters, for --profile with the name alone")) \
   X(TABLE_SCALE, "table_scale", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_TABLE_SCALE), CONSTANT, EVERY, "S", \
     HELP("unit of the numbers of --profile-file, in epsilon (default 1)")) \

@@ -216,6 +216,21 @@ po_status po_observe_kept(const po_request *request, po_kept_points *kept, po_re
   return finish(status, result);
 }
 
+/* Processor time for the theories beside a failed solve, which may have used all of its own, s.
+ * They take some hundredths. */
+static const double LONGEST_THEORIES = 0.5;
+
+/* Evaluates the theories if the solve failed: as closed forms they need no solve. */
+static void accompany_failed(const po_request *request, po_result *result) {
+  if (!request->companion || !(request->want & PO_WANT_THEORIES) || result->status < 0 ||
+      result->status == PO_OK || result->status == PO_INTERRUPTED)
+    return;
+  const po_watch before = po_watch_begin(request->stop, po_clock_thread() + LONGEST_THEORIES);
+  request->companion->theories(request, result);
+  po_watch_end(before);
+  po_message_clear();
+}
+
 po_status po_observe(const po_request *asked, po_result *result) {
   const po_request request = po_load_unit_request(asked);
   const po_watch before = po_watch_begin(request.stop, po_observe_deadline(&request));
@@ -225,6 +240,8 @@ po_status po_observe(const po_request *asked, po_result *result) {
   if (!status)
     status = accompany(&request, result);
   po_watch_end(before);
+  status = finish(status, result);
+  accompany_failed(&request, result);
   po_load_unit_result(&request.scene, result);
-  return finish(status, result);
+  return status;
 }

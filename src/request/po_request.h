@@ -47,6 +47,9 @@ typedef struct {
   /* The theories beside a result, its `theories`. Status: PO_NO_MEMORY, PO_INTERRUPTED,
    * PO_OUT_OF_TIME. A theory that cannot be evaluated is a row that says why. */
   po_status (*theories)(const struct po_request *request, po_result *result);
+  /* The pull-off force of the scene, a sphere, over that of the same scene with the exact sphere in
+   * place of the parabola, less 1; NAN: unknown. */
+  double (*parabola_excess)(const po_scene *scene);
 } po_companion;
 
 /* An uncertain input is moved by so many times its standard uncertainty. At twice, 19 of 20 values

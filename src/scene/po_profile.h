@@ -23,7 +23,9 @@
   X(POWER, "power:C,n") \
   X(CONE, "cone:t") \
   X(PUNCH, "punch:b,R") \
-  X(TRUNCATED, "truncated:b,R")
+  X(TRUNCATED, "truncated:b,R") \
+  X(EXACT_SPHERE, "exact_sphere:R") \
+  X(HYPERBOLOID, "hyperboloid:t,b")
 #define PO_PROFILE_PARAMETER_ROWS(X) \
   X(POWER_C, "power_c", false)        /* C r^n */ \
   X(POWER_N, "power_n", false) \
@@ -32,6 +34,9 @@
   X(PUNCH_R, "punch_r", true) \
   X(TRUNCATED_B, "truncated_b", true) /* flat to b, then (r^2 - b^2)/(2R): a sphere that is cut flat */ \
   X(TRUNCATED_R, "truncated_r", true) \
+  X(EXACT_SPHERE_R, "exact_sphere_r", true) /* R - sqrt(R^2 - r^2) (po_profile_round.c) */ \
+  X(HYPERBOLOID_T, "hyperboloid_t", false)  /* t (sqrt(r^2 + b^2) - b): a cone with a blunt tip */ \
+  X(HYPERBOLOID_B, "hyperboloid_b", true) \
   X(TABLE_SCALE, "table_scale", true) /* the unit of the numbers of a table, in epsilon */ \
   X(TABLE_SMOOTH, "smooth", false)    /* standard deviation of their noise, in this unit; INFINITY: it
                                          is estimated; NAN: the spline passes through all rows */
@@ -121,8 +126,9 @@ typedef struct {
 } po_shape;
 po_shape po_profile_shape(const po_profile *profile);
 
-/* The smallest radius > r at which f is not analytic; INFINITY if there is none: the end of a flat
- * part, or the next row of a table. */
+/* The smallest radius > r at which a quadrature over f should begin a new piece; INFINITY if there
+ * is none: where f is not analytic, as at the end of a flat part or the next row of a table, and
+ * beside a singularity. */
 double po_profile_next_joint(const po_profile *profile, double r);
 
 /* The jump of the slope at the kink; 0 if only the curvature jumps, or if there is no kink. */

@@ -184,18 +184,23 @@ static po_abel cone(const po_scene *scene, double x) {
   return of_power(scene->profile.parameter[PO_CONE_T], 1.0, x);
 }
 
-/* t - atan(t), which cancels for small t: there the series t^3/3 - t^5/5 + ... */
-static double less_arctangent(double t) {
-  static const double SERIES = 0.5, ROUNDING = 1e-17;
-  if (t > SERIES)
-    return t - po_atan2(t, 1.0);
+/* The series t^3/3 + square t^5/5 + square^2 t^7/7 + ..., square = -1 or 1: of t - atan(t) and of
+ * artanh(t) - t, which cancel for small t. */
+static const double SERIES = 0.5, ROUNDING = 1e-17;
+
+static double odd_series(double t, double square) {
   double sum = 0.0, power_of_t = t * t * t, term = power_of_t / 3.0;
   for (int k = 3; fabs(term) > ROUNDING * sum; k += 2) {
     sum += term;
-    power_of_t *= -t * t;
+    power_of_t *= square * t * t;
     term = power_of_t / (k + 2);
   }
   return sum;
+}
+
+/* t - atan(t) */
+static double less_arctangent(double t) {
+  return t > SERIES ? t - po_atan2(t, 1.0) : odd_series(t, -1.0);
 }
 
 /* (r - b)^2/(2R) beyond b: g = (x/R) [s - b arccos(b/x)], s = sqrt(x^2 - b^2), here in t = s/b. */
@@ -218,11 +223,42 @@ static po_abel truncated(const po_scene *scene, double x) {
   return (po_abel){x * s / R, (s + x * (x / s)) / R, s * (2.0 * x * x + b * b) / (3.0 * R)};
 }
 
+/* R - sqrt(R^2 - r^2) up to the end e of the sphere, h = sqrt(R^2 - e^2): g = x L with L =
+ * artanh(x/R) (Sneddon 1965). Beyond, where the slope is r/h, s = sqrt(x^2 - e^2): g = x L + x s/h,
+ * L = ln((R + x)/(h + s)). */
+static po_abel exact_sphere(const po_scene *scene, double x) {
+  const double R = scene->profile.parameter[PO_EXACT_SPHERE_R],
+               e = po_profile_shape(&scene->profile).kink;
+  if (x > e) {
+    const double h = sqrt((R - e) * (R + e)), s = sqrt((x - e) * (x + e));
+    const double L = po_log((R + x) / (h + s));
+    return (po_abel){x * L + x * s / h, L + x / (R + x) + s / h + x * x / (h * (h + s)),
+                     0.5 * (h * s - R * x + (R * R + x * x) * L) + s * (x * x - s * s / 3.0) / h};
+  }
+  const double u = x / R, L = 0.5 * po_log1p(2.0 * x / (R - x));
+  const double more = u > SERIES ? L - u : odd_series(u, 1.0); /* L - u */
+  return (po_abel){x * L, L + u / ((1.0 - u) * (1.0 + u)), 0.5 * (R * R * more + x * x * L)};
+}
+
+/* t (sqrt(r^2 + b^2) - b): g = t x arctan(x/b). */
+static po_abel hyperboloid(const po_scene *scene, double x) {
+  const double t = scene->profile.parameter[PO_HYPERBOLOID_T],
+               b = scene->profile.parameter[PO_HYPERBOLOID_B], u = x / b, turn = po_atan2(x, b);
+  return (po_abel){t * x * turn, t * (turn + u / (1.0 + u * u)),
+                   0.5 * t * (x * x * turn + b * b * less_arctangent(u))};
+}
+
 static const struct {
   const po_profile_kind *kind;
   po_abel (*at)(const po_scene *scene, double x);
-} FORMS[] = {{&PO_SPHERE, sphere}, {&PO_POWER, power},         {&PO_CONE, cone},
-             {&PO_PUNCH, punch},   {&PO_TRUNCATED, truncated}, {&PO_TABLE, table}};
+} FORMS[] = {{&PO_SPHERE, sphere},
+             {&PO_POWER, power},
+             {&PO_CONE, cone},
+             {&PO_PUNCH, punch},
+             {&PO_TRUNCATED, truncated},
+             {&PO_TABLE, table},
+             {&PO_EXACT_SPHERE, exact_sphere},
+             {&PO_HYPERBOLOID, hyperboloid}};
 
 po_abel po_abel_of_profile(const po_scene *scene, double x) {
   const po_profile_kind *kind = scene->profile.kind ? scene->profile.kind : &PO_SPHERE;

@@ -60,6 +60,10 @@ static bool areas_of(const po_scene *scene, area_terms *t) {
     t->flat = of[PO_PUNCH_B];
     t->factor[0] = of[PO_PUNCH_R];
     t->factor[1] = t->flat * sqrt(0.5 * of[PO_PUNCH_R]);
+  } else if (kind == &PO_HYPERBOLOID) { /* r^2 = (h/t)^2 + 2 b h/t */
+    t->factor[0] = of[PO_HYPERBOLOID_B] / of[PO_HYPERBOLOID_T];
+    t->factor[1] = 1.0 / (of[PO_HYPERBOLOID_T] * of[PO_HYPERBOLOID_T]);
+    t->q[1] = 2.0;
   } else {
     return false;
   }

@@ -9,11 +9,11 @@
 
 /* The load, pi w R, and its derivative by the approach. Given: approach, eps, less than the
  * greatest that the law admits; the Tabor parameter of the scene is not looked at. For powers,
- * cones and flat profiles without waves on an unbounded surface under Lennard-Jones, Mie and Morse
- * laws: Beta and Gamma functions. For all others: quadrature over the radius, the far field of an
- * unbounded surface by the law averaged over the waves. Status: PO_BAD_INPUT, PO_NOT_CONVERGED,
- * PO_NO_MEMORY, PO_TOO_MANY_POINTS. Accuracy: 1e-13 of the larger term where it is closed,
- * otherwise 1e-9 (tests/theory/test_tables_profiles.c). */
+ * cones, hyperboloids and flat profiles without waves on an unbounded surface under Lennard-Jones,
+ * Mie and Morse laws: Beta and Gamma functions. For all others: quadrature over the radius, the far
+ * field of an unbounded surface by the law averaged over the waves. Status: PO_BAD_INPUT,
+ * PO_NOT_CONVERGED, PO_NO_MEMORY, PO_TOO_MANY_POINTS. Accuracy: 1e-13 of the larger term where it
+ * is closed, otherwise 1e-9 (tests/theory/test_tables_profiles.c). */
 po_status po_rigid_profile_load(const po_scene *scene, double approach, double *load, double *rate);
 
 /* The same by quadrature for all scenes: an independent route. */

@@ -149,6 +149,21 @@ def test_the_line_of_a_solve():
     assert f"digest   {document('solve ' + WAVY)['digest']}" in shown  # the line is no result
 
 
+def test_a_failed_solve():
+    # The table was empty, although closed forms need no solve.
+    words = "--tabor 3 --amplitude 1 --wavelength 20 --time-limit 1e-6"
+    shown = expect(3, "pulloff: the solve failed: *", "compare " + words)
+    assert shown.count("^JKR +2.781354 +- +- ") == 1 and shown.count("^Kesari-Lew +2.893065 ") == 1
+    found = {row["theory"]: row for row in json.loads(expect(3, "pulloff: the solve failed: *", f"compare {words} --json").out)["theories"]}
+    for name, row in rows(WAVY).items():
+        assert found[name]["force"] == row["force"] and found[name]["deviation"] is None, name
+
+
+def test_the_simpler_of_two_is_named():
+    # Maugis-Dugdale has the force of JKR there, and was named in its place.
+    assert "theories JKR -0.0 %, DMT +33.3 %; pulloff compare" in expect(0, "", "solve --tabor 1000").out
+
+
 def test_the_tip_in_si_units():
     tip = "--from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8"
     found = document("compare " + tip)

@@ -8,7 +8,7 @@ import re
 import pytest
 from conftest import ROOT, agree, document, expect, run
 
-ANY = "sphere or power:C,n or cone:t or punch:b,R or truncated:b,R; a table of radii and gaps by "
+ANY = "sphere or power:C,n or cone:t or punch:b,R or truncated:b,R or exact_sphere:R or hyperboloid:t,b; a table of radii and gaps by "
 OPTION, KEY = ANY + "--profile-file", ANY + "profile_file"
 WAVE = "expected A,L: amplitude and wavelength, two numbers > 0"
 SI = " --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10"
@@ -26,6 +26,8 @@ def waves(first, last):
     (2, "--power-n is not given: the profile power needs it", "solve --profile power --power-c 0.05"),
     (2, "--power-n is 0.5: expected a number from 1 to 40", "solve --profile power:1,0.5"),
     (2, "--punch-b is -1: expected a finite number > 0", "solve --profile punch:-1,3"),
+    (2, "--exact-sphere-r is -3: expected a finite number > 0", "solve --profile exact_sphere:-3"),
+    (2, "--hyperboloid-b is not given: the profile hyperboloid needs it", "solve --profile hyperboloid --hyperboloid-t 1"),
     (2, "--cone-t is 0: expected a finite number > 0", "solve --profile cone --cone-t 0"),
     (2, "--power-c is 3: expected it with the profile power, not cone", "solve --profile cone:1 --power-c 3"),
     (2, "--punch-b is 3: expected it with the profile punch, not sphere", "solve --punch-b 3"),
@@ -301,3 +303,26 @@ def test_an_approach_of_the_profile_before_and_beyond_the_branch():
     assert not pathlib.Path("late.csv").exists()
     expect(2, "pulloff: the result has no curve, profile or staircase to plot", f"plot --want profile {late.removeprefix('solve ')} a.svg")
     assert document(late + " --approach-end 6")["profile_approach"] == pytest.approx(5, abs=1e-9)
+
+
+def test_a_parabola_is_no_sphere_in_a_wide_contact():
+    # The contact radius was 61 nm at a radius of 45 nm, and the force, 10.60 nN, stood there without a word.
+    soft = "--from-physical --modulus-pa 1.58e6 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 45e-9 --tolerance 1e-4"
+    parabola = document(f"solve {soft}")["physical"]["pull_off"]
+    sphere = document(f"solve {soft} --profile exact_sphere:45e-9")["physical"]["pull_off"]
+    assert parabola["force_n"] == pytest.approx(10.60e-9, rel=1e-3)
+    # JKR by the transform x artanh(x/R) (Sneddon), at the radius where the derivative of the load vanishes
+    work, modulus, radius = 0.05, 1.58e6, 45e-9
+
+    def load(a):
+        turn = math.atanh(a / radius)
+        return (modulus * ((radius**2 + a**2) * turn - radius * a) - math.sqrt(8 * math.pi * work * modulus * a**3))
+
+    least = min(load(radius * k / 10000) for k in range(1, 9990))
+    assert sphere["force_n"] == pytest.approx(-least, rel=2e-3)
+    more = round(100 * (parabola["force_n"] / sphere["force_n"] - 1))
+    line = f"the force of the parabola is that of the sphere +{more} %; --profile exact_sphere is the sphere"
+    for verb in "solve", "compare":
+        assert line in expect(0, "", f"{verb} {soft}").out
+    assert "sphere   the contact" not in expect(0, "", f"solve {soft} --profile exact_sphere:45e-9").out
+    assert "sphere   the contact" not in expect(0, "", "solve --tabor 1").out

@@ -30,9 +30,10 @@ static po_contact terms_at(const po_scene *s, double a) {
 }
 
 /* Every profile, with and without waves. */
-static const char *const PROFILES[] = {"sphere",         "cone:0.3",   "power:0.05,1.5",
-                                       "power:1e-9,7.3", "punch:5,20", "punch:1e-3,1e6",
-                                       "truncated:5,20"};
+static const char *const PROFILES[] = {
+    "sphere",         "cone:0.3",          "power:0.05,1.5",   "power:1e-9,7.3",
+    "punch:5,20",     "punch:1e-3,1e6",    "truncated:5,20",   "exact_sphere:30",
+    "exact_sphere:3", "hyperboloid:0.3,2", "hyperboloid:2,300"};
 static const char *const WAVES[] = {"-", "0.4@10;0.1@3", "1e-4@0.7"};
 enum {
   PROFILE_COUNT = sizeof PROFILES / sizeof *PROFILES,

@@ -36,7 +36,7 @@ START_TEST(maugis_agrees_with_the_table) {
     compare("rate of the end", &s, a, end_rate, (after.end - before.end) / (2.0 * h),
             1e-5 * got.end / a);
   }
-  table_close(&t, "Maugis-Dugdale", 42, 3);
+  table_close(&t, "Maugis-Dugdale", 54, 3);
 }
 END_TEST
 
@@ -113,7 +113,7 @@ START_TEST(rigid_agrees_with_the_table) {
     compare("load", &s, 0.2, load, other, RIGID_QUADRATURE * force);
     compare("rate", &s, 0.2, rate, other_rate, 10.0 * RIGID_QUADRATURE * force);
   }
-  table_close(&t, "rigid bodies", 35, 2);
+  table_close(&t, "rigid bodies", 50, 2);
 }
 END_TEST
 

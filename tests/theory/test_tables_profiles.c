@@ -30,7 +30,7 @@ START_TEST(jkr_agrees_with_the_table) {
     table_compare(&t, row, "approach", got.approach, accuracy * size.approach);
     table_compare(&t, row, "contact_radius", got.contact_radius, PULL_OFF_ACCURACY * a);
   }
-  table_close(&t, "JKR of any profile", 203, 3);
+  table_close(&t, "JKR of any profile", 280, 3);
 }
 END_TEST
 

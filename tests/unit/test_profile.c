@@ -11,9 +11,9 @@
 #include "po_scales.h"
 #include "run.h"
 
-static const char *const PROFILES[] = {"sphere",         "power:0.05,1.5", "power:0.001;4",
-                                       "power:2.385,1",  "cone:0.3",       "punch:5,20",
-                                       "truncated:5,20", "table"};
+static const char *const PROFILES[] = {
+    "sphere",     "power:0.05,1.5", "power:0.001;4",   "power:2.385,1",     "cone:0.3",
+    "punch:5,20", "truncated:5,20", "exact_sphere:40", "hyperboloid:0.3,2", "table"};
 static const double RADII[] = {0.02, 1.7, 4.9, 5.3, 21.7, 93.0};
 enum {
   PROFILE_COUNT = sizeof PROFILES / sizeof *PROFILES,

@@ -37,7 +37,7 @@ export const FIELDS = [
     name: 'profile',
     label: 'Profile of the body',
     usual: 'sphere',
-    choices: ['sphere', 'cone', 'power', 'punch', 'truncated', 'table'],
+    choices: ['sphere', 'cone', 'power', 'punch', 'truncated', 'exact_sphere', 'hyperboloid', 'table'],
     of: inEpsilon,
   },
   {name: 'cone-t', label: 'Slope T of the cone', usual: '0.3', range: [0.01, 2], profile: 'cone'},
@@ -59,6 +59,9 @@ export const FIELDS = [
     range: [10, 1000],
     profile: 'truncated',
   },
+  {name: 'exact-sphere-r', label: 'Radius R of the sphere (ε)', usual: '90', range: [10, 1000], profile: 'exact_sphere'},
+  {name: 'hyperboloid-t', label: 'Slope T of the cone', usual: '0.3', range: [0.01, 2], profile: 'hyperboloid'},
+  {name: 'hyperboloid-b', label: 'Radius B of the blunt tip (ε)', usual: '5', range: [0.5, 50], profile: 'hyperboloid'},
   {name: 'table', label: 'Table: columns r and gap', usual: WORN, isTable: true, of: isTable},
   {name: 'table-scale', label: 'Unit of the table (ε)', usual: '1', range: [0.01, 100], of: isTable},
   {name: 'law', label: 'Traction–separation law', usual: 'lennard-jones', choices: ['lennard-jones', 'mie', 'morse']},
@@ -320,7 +323,7 @@ export function inOtherUnits(scene) {
 // result of the scene.
 export function requestOfJkr(scene, input, at) {
   const taken = Object.entries(input).filter(
-    ([name, value]) => value !== null && value !== 'table' && /^(tabor|radius|waves|profile|table|cone|power|punch|truncated)/.test(name),
+    ([name, value]) => value !== null && value !== 'table' && /^(tabor|radius|waves|profile|table|cone|power|punch|truncated|exact_sphere|hyperboloid)/.test(name),
   );
   const keys = Object.fromEntries(taken.map(([name, value]) => [name, String(value)]));
   return {keys, files: requestOf(scene).files, theory: 'jkr', at};

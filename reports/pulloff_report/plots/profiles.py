@@ -23,7 +23,8 @@ def profile_name(point):
         return gnuplot.Enhanced(f"r^{{{gnuplot.literal(plain(scene['power_n']))}}}")
     if scene["profile"] == "sphere":
         return "sphere, two waves" if scene["waves"] else "sphere"
-    return {"cone": "cone", "punch": "rounded punch", "truncated": "truncated sphere"}[scene["profile"]]
+    return {"cone": "cone", "punch": "rounded punch", "truncated": "truncated sphere", "exact_sphere": "exact sphere",
+            "hyperboloid": "hyperboloid"}[scene["profile"]]
 
 
 def key_of(point):
