@@ -4,8 +4,8 @@
 #include <stdio.h>
 
 #include "po_abel.h"
+#include "po_assumptions.h"
 #include "po_companion_jkr.h"
-#include "po_elementary.h"
 #include "po_estimates.h"
 #include "po_guduru.h"
 #include "po_jkr_profile.h"
@@ -13,40 +13,44 @@
 #include "po_memory.h"
 #include "po_profile_kind.h"
 #include "po_rigid_profile.h"
-#include "po_scales.h"
 #include "po_watch.h"
 
 /* -- The values -- */
 
-static po_status rigid(const po_request *r, double *force) {
-  po_rigid_pull_off p;
-  const po_status status = po_rigid_profile_pull_off(&r->scene, &p);
-  *force = p.force;
+/* A scene, and what its closed forms have found so far. */
+typedef struct {
+  const po_request *request;
+  const po_scene *scene;
+  po_closed_states states;
+} evaluation;
+
+static po_status rigid(evaluation *e, double *force) {
+  const po_status status = po_rigid_profile_pull_off(e->scene, &e->states.rigid);
+  *force = e->states.rigid.force;
   return status;
 }
 
 /* At pull-off the bodies of this theory touch at a point, undeformed: on the axis the gap is that
  * of equilibrium. Of a sphere the force is 2 pi w R under every law. */
-static po_status dmt(const po_request *r, double *force) {
+static po_status dmt(evaluation *e, double *force) {
   double load, rate;
-  const po_status status = po_rigid_profile_load(&r->scene, 0.0, &load, &rate);
+  const po_status status = po_rigid_profile_load(e->scene, 0.0, &load, &rate);
   *force = -load;
   return status;
 }
 
-static po_status jkr(const po_request *r, double *force) {
-  po_contact least;
-  const po_status status = po_jkr_profile_pull_off(&r->scene, PO_FIXED_LOAD, &least);
-  *force = -least.load;
+static po_status jkr(evaluation *e, double *force) {
+  const po_status status = po_jkr_profile_pull_off(e->scene, PO_FIXED_LOAD, &e->states.jkr);
+  *force = -e->states.jkr.load;
   return status;
 }
 
-static po_status maugis(const po_request *r, double *force) {
-  const double tension = po_maugis_matched_tension(&r->scene);
+static po_status maugis(evaluation *e, double *force) {
+  const double tension = po_maugis_matched_tension(e->scene);
   po_maugis state;
-  po_status status = po_maugis_pull_off(&r->scene, tension, PO_FIXED_LOAD, true, &state);
+  po_status status = po_maugis_pull_off(e->scene, tension, PO_FIXED_LOAD, true, &state);
   if (!status)
-    status = po_maugis_check(&r->scene, tension, &state);
+    status = po_maugis_check(e->scene, tension, &state);
   *force = -state.contact.load;
   return status;
 }
@@ -55,19 +59,19 @@ static po_status maugis(const po_request *r, double *force) {
 enum { MOST_POINTS = 1 << 16 };
 
 /* After any preload it is the lowest minimum of the curve. */
-static po_status guduru(const po_request *r, double *force) {
-  const po_preload preload = po_request_preload(r);
+static po_status guduru(evaluation *e, double *force) {
+  const po_preload preload = po_request_preload(e->request);
   if (isinf(preload.approach))
-    return jkr(r, force);
+    return jkr(e, force);
   po_hysteresis loops;
-  const po_status status = po_jkr_hysteresis(&r->scene, preload, (double)NAN, MOST_POINTS, &loops);
+  const po_status status = po_jkr_hysteresis(e->scene, preload, (double)NAN, MOST_POINTS, &loops);
   *force = status ? NAN : fmax(0.0, -loops.of[PO_AT_APPROACH].pull_off.load);
   po_hysteresis_clear(&loops);
   return status;
 }
 
-static po_status rumpf(const po_request *r, double *force) {
-  *force = 2.0 * po_rumpf_rabinowicz_ratio(po_scene_alpha(&r->scene), r->scene.radius);
+static po_status rumpf(evaluation *e, double *force) {
+  *force = 2.0 * po_rumpf_rabinowicz_ratio(po_scene_alpha(e->scene), e->scene->radius);
   return PO_OK;
 }
 
@@ -86,67 +90,32 @@ enum {
   NEEDS_LENNARD_JONES = 16
 };
 
-typedef struct {
-  po_assumption of;
-  bool at_least;
-  double limit;
-} assumption;
-
-/* Limits of the assumptions. Rigid bodies and DMT belong to Tabor parameters below STIFFEST, JKR to
- * those above SOFTEST (Johnson and Greenwood 1997); of a wavy body the crest decides, whose radius
- * is smaller. Of a sphere, the theory of Maugis holds at any Tabor parameter: the attraction of a
- * parabola does not depend on the form of the law, but on its energy. That of a cone or a punch
- * does, unless its range is short. A theory of many waves in the contact needs so MANY_WAVES, and
- * one of the central crest no more than HALF_WAVE. A theory of a smooth sphere allows for an
- * amplitude that changes the tension little, SMOOTH eps. */
-static const double STIFFEST = 0.1, SOFTEST = 5.0, MANY_WAVES = 2.0, HALF_WAVE = 0.5, SMOOTH = 0.1;
-
-#define STIFF                                                                                      \
-  { PO_ASSUMES_TABOR, false, STIFFEST }
-#define SHORT_RANGE                                                                                \
-  { PO_ASSUMES_CREST_TABOR, true, SOFTEST }
-#define SHORT_RANGE_OF_SHAPE                                                                       \
-  { PO_ASSUMES_SHAPE_TABOR, true, SOFTEST }
-#define FULL                                                                                       \
-  { PO_ASSUMES_FULL_DISC, true, 1.0 }
-#define NO_WAVES                                                                                   \
-  { PO_ASSUMES_AMPLITUDE, false, SMOOTH }
-
-enum { MOST_ASSUMPTIONS = 3 };
-
 /* The force of a theory is evaluated for a scene, or from the parameter of Maugis, or is that of
  * JKR with an effective work of adhesion, in w, which may be negative. */
 static const struct {
   unsigned needs;
-  po_status (*evaluate)(const po_request *request, double *force);
-  assumption assumes[MOST_ASSUMPTIONS]; /* the first one of PO_ASSUMES_NOTHING ends the list */
+  po_status (*evaluate)(evaluation *e, double *force);
   double (*of_parameter)(double parameter);
   double (*work)(const po_scene *scene);
 } THEORIES[PO_THEORY_COUNT] = {
-    [PO_THEORY_RIGID] = {0, rigid, {STIFF}},
-    [PO_THEORY_DMT] = {0, dmt, {STIFF}},
-    [PO_THEORY_JKR] = {NEEDS_ELASTIC, jkr, {SHORT_RANGE, FULL}},
-    [PO_THEORY_MAUGIS] = {NEEDS_ELASTIC, maugis, {FULL, SHORT_RANGE_OF_SHAPE}},
-    [PO_THEORY_CARPICK] = {NEEDS_SPHERE, NULL, {NO_WAVES}, .of_parameter = po_carpick_force},
-    [PO_THEORY_PIETREMENT] = {NEEDS_SPHERE, NULL, {NO_WAVES}, .of_parameter = po_pietrement_force},
-    [PO_THEORY_SCHWARZ] = {NEEDS_SPHERE, NULL, {NO_WAVES}, .of_parameter = po_schwarz_force},
-    [PO_THEORY_GUDURU] = {NEEDS_ELASTIC | NEEDS_WAVES, guduru, {SHORT_RANGE, FULL}},
+    [PO_THEORY_RIGID] = {0, rigid},
+    [PO_THEORY_DMT] = {0, dmt},
+    [PO_THEORY_JKR] = {NEEDS_ELASTIC, jkr},
+    [PO_THEORY_MAUGIS] = {NEEDS_ELASTIC, maugis},
+    [PO_THEORY_CARPICK] = {NEEDS_SPHERE, .of_parameter = po_carpick_force},
+    [PO_THEORY_PIETREMENT] = {NEEDS_SPHERE, .of_parameter = po_pietrement_force},
+    [PO_THEORY_SCHWARZ] = {NEEDS_SPHERE, .of_parameter = po_schwarz_force},
+    [PO_THEORY_GUDURU] = {NEEDS_ELASTIC | NEEDS_WAVES, guduru},
     [PO_THEORY_KESARI_LEW] = {NEEDS_ELASTIC | NEEDS_SPHERE | NEEDS_ONE_WAVE,
-                              NULL,
-                              {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}},
                               .work = po_kesari_lew_work},
     [PO_THEORY_PERSSON_TOSATTI] = {NEEDS_ELASTIC | NEEDS_SPHERE | NEEDS_ONE_WAVE,
-                                   NULL,
-                                   {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}},
                                    .work = persson_tosatti_work},
-    [PO_THEORY_RUMPF] = {NEEDS_SPHERE | NEEDS_ONE_WAVE | NEEDS_LENNARD_JONES,
-                         rumpf,
-                         {STIFF, {PO_ASSUMES_WAVES, false, HALF_WAVE}}}};
+    [PO_THEORY_RUMPF] = {NEEDS_SPHERE | NEEDS_ONE_WAVE | NEEDS_LENNARD_JONES, rumpf}};
 
-static po_status evaluate(po_theory theory, const po_request *r, double *force) {
-  const po_scene *scene = &r->scene;
+static po_status evaluate(po_theory theory, evaluation *e, double *force) {
+  const po_scene *scene = e->scene;
   if (THEORIES[theory].evaluate)
-    return THEORIES[theory].evaluate(r, force);
+    return THEORIES[theory].evaluate(e, force);
   *force = THEORIES[theory].work ? 1.5 * fmax(0.0, THEORIES[theory].work(scene))
                                  : THEORIES[theory].of_parameter(po_maugis_parameter(
                                        scene->tabor, po_maugis_matched_tension(scene)));
@@ -176,65 +145,6 @@ static bool is_refused(unsigned needs, const po_scene *scene, po_theory_row *row
   return false;
 }
 
-/* -- The assumptions -- */
-
-/* The Tabor parameter of the crest on the axis, (c^2 R_c)^(1/3) with the coupling c: its curvature
- * is that of the body plus 4 pi^2 A/lambda^2 of each wave (Eq 19). The radius of a body that is no
- * sphere is that which has its Tabor parameter. */
-static double tabor_of_crest(const po_scene *scene, double tabor) {
-  const double coupling = po_scene_coupling(scene);
-  double curvature = coupling * coupling / (tabor * tabor * tabor);
-  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
-    const po_wave wave = po_scene_wave(scene, k);
-    const double wave_number = 2.0 * M_PI / wave.length;
-    curvature += wave.amplitude * wave_number * wave_number;
-  }
-  return tabor > 0.0 ? po_cbrt(coupling * coupling / curvature) : 0.0;
-}
-
-/* The numbers of all assumptions; NAN: unknown. */
-static void find_numbers(const po_request *request, const po_result *result,
-                         double number[PO_ASSUMPTION_COUNT]) {
-  const po_scene *scene = &request->scene;
-  double amplitude = 0.0;
-  for (size_t k = 0; k < po_scene_waves(scene); ++k)
-    amplitude += po_scene_wave(scene, k).amplitude;
-  number[PO_ASSUMES_NOTHING] = NAN;
-  number[PO_ASSUMES_TABOR] = po_scene_scales(scene).stretch;
-  number[PO_ASSUMES_CREST_TABOR] = tabor_of_crest(scene, number[PO_ASSUMES_TABOR]);
-  number[PO_ASSUMES_SHAPE_TABOR] =
-      po_profile_is_sphere(&scene->profile) ? INFINITY : number[PO_ASSUMES_TABOR];
-  number[PO_ASSUMES_FULL_DISC] = result->has_pull_off ? result->pull_off.full_disc : (double)NAN;
-  number[PO_ASSUMES_WAVES] = result->has_pull_off
-                                 ? result->pull_off.contact_radius / po_abel_longest_wave(scene)
-                                 : (double)NAN;
-  number[PO_ASSUMES_AMPLITUDE] = amplitude;
-}
-
-static po_holds holds(const assumption *a, double number) {
-  if (isnan(number))
-    return PO_HOLDS_UNKNOWN;
-  return (a->at_least ? number >= a->limit : number <= a->limit) ? PO_HOLDS_YES : PO_HOLDS_NO;
-}
-
-static void decide(const assumption *list, const double number[PO_ASSUMPTION_COUNT],
-                   po_theory_row *row) {
-  const assumption *decides = &list[0];
-  row->holds = PO_HOLDS_YES;
-  for (int k = 0; k < MOST_ASSUMPTIONS && list[k].of; ++k) {
-    const po_holds found = holds(&list[k], number[list[k].of]);
-    if (row->holds == PO_HOLDS_YES ? found != PO_HOLDS_YES
-                                   : row->holds == PO_HOLDS_UNKNOWN && found == PO_HOLDS_NO) {
-      row->holds = found;
-      decides = &list[k];
-    }
-  }
-  row->decided_by = decides->of;
-  row->number = number[decides->of];
-  row->at_least = decides->at_least;
-  row->limit = decides->limit;
-}
-
 /* -- The rows -- */
 
 static bool has_pull_off(const po_result *result) {
@@ -248,8 +158,7 @@ static void compare(const po_result *result, po_theory_row *row) {
   row->deviation_error = row->force / force * error / (force - error);
 }
 
-static po_theory_row row_of(po_theory theory, const po_request *request, const po_result *result,
-                            const double number[PO_ASSUMPTION_COUNT]) {
+static po_theory_row row_of(po_theory theory, evaluation *e, const po_result *result) {
   po_theory_row row = {.theory = theory,
                        .force = NAN,
                        .deviation = NAN,
@@ -257,9 +166,9 @@ static po_theory_row row_of(po_theory theory, const po_request *request, const p
                        .number = NAN,
                        .limit = NAN};
   snprintf(row.source, sizeof row.source, "%s", PO_THEORIES[theory].source);
-  if (is_refused(THEORIES[theory].needs, &request->scene, &row))
+  if (is_refused(THEORIES[theory].needs, e->scene, &row))
     return row;
-  const po_status status = evaluate(theory, request, &row.force);
+  const po_status status = evaluate(theory, e, &row.force);
   if (status || !isfinite(row.force)) {
     row.force = NAN;
     snprintf(row.reason, sizeof row.reason, "%.*s", (int)sizeof row.reason - 1,
@@ -268,7 +177,6 @@ static po_theory_row row_of(po_theory theory, const po_request *request, const p
     return row;
   }
   compare(result, &row);
-  decide(THEORIES[theory].assumes, number, &row);
   return row;
 }
 
@@ -276,19 +184,23 @@ static po_theory_row row_of(po_theory theory, const po_request *request, const p
  * src/theory, for the scene alone; no theory reads the value of another one, nor the computed
  * force. */
 static po_status theories(const po_request *request, po_result *result) {
-  double number[PO_ASSUMPTION_COUNT];
   po_theory_row *rows = po_allocate(PO_THEORY_COUNT, sizeof *rows);
   if (!rows)
     return PO_NO_MEMORY;
   result->theories = rows;
   result->theory_count = 0;
-  find_numbers(request, result, number);
+  evaluation e = {request, &request->scene, {{NAN, NAN}, {NAN, NAN, NAN}}};
+  double number[PO_ASSUMPTION_COUNT];
   po_status status = PO_OK;
   while (result->theory_count < PO_THEORY_COUNT && !status) {
     const po_theory theory = (po_theory)result->theory_count;
-    rows[result->theory_count++] = row_of(theory, request, result, number);
+    rows[result->theory_count++] = row_of(theory, &e, result);
     status = po_watch_look();
   }
+  po_assumptions_find(request, result, &e.states, number);
+  for (size_t k = 0; k < result->theory_count; ++k)
+    if (isfinite(rows[k].force))
+      po_assumptions_decide(number, &rows[k]);
   return status;
 }
 

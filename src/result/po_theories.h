@@ -24,12 +24,16 @@
 /* The numbers that decide whether the assumptions of a theory hold: enumerator, name, words. */
 #define PO_ASSUMPTION_ROWS(X) \
   X(NOTHING, "none", "") \
-  X(TABOR, "tabor", "Tabor parameter") \
-  X(CREST_TABOR, "tabor_of_crest", "Tabor parameter of the crest") \
-  X(SHAPE_TABOR, "tabor_of_shape", "Tabor parameter of a profile that is no sphere") \
+  X(ELONGATION, "elongation", "elastic deformation of rigid bodies over the range of the law") \
+  X(TOUCH, "touch", "approach of rigid bodies at pull-off over the range of the law") \
+  X(ZONE, "zone", "cohesive zone over the length in which the profile changes") \
+  X(FLAT, "flat", "stress of the flat over the greatest tension") \
+  X(FORM, "form", "effect of the form of the law") \
   X(FULL_DISC, "full_disc", "part of the contact radius without a groove") \
   X(WAVES, "waves_in_contact", "contact radius over wavelength") \
-  X(AMPLITUDE, "amplitude", "amplitude")
+  X(EFFECT, "effect_of_waves", "effect of the waves") \
+  X(BARRIER, "barrier", "barrier of the waves, A sqrt(pi/(2 c lambda))") \
+  X(NEXT_CREST, "next_crest", "gap of the sphere at the next crest")
 // clang-format on
 
 #define PO_THEORY_ENUMERATOR(key, ...) PO_THEORY_##key,

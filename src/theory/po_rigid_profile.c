@@ -244,3 +244,17 @@ po_status po_rigid_profile_pull_off(const po_scene *scene, po_rigid_pull_off *pu
              ? po_fail(PO_NOT_FOUND, "the load of the rigid bodies has no minimum")
              : PO_OK;
 }
+
+/* Points of the rule, and the gap at which it ends: of the integral some percent are beyond it. */
+enum { ELONGATION_POINTS = 400 };
+static const double ELONGATION_GAP = 5.0;
+
+double po_rigid_profile_elongation(const po_scene *scene, double approach) {
+  const double end = fmin(scene->outer_radius, po_initial_gap_radius(scene, ELONGATION_GAP));
+  double sum = 0.0;
+  for (int k = 0; k < ELONGATION_POINTS; ++k) {
+    const double r = end * (k + 0.5) / ELONGATION_POINTS;
+    sum += fabs(po_law_at(&scene->law, po_initial_gap(scene, r) - approach).traction);
+  }
+  return 2.0 * po_scene_coupling(scene) * sum * end / ELONGATION_POINTS;
+}

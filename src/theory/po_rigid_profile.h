@@ -24,4 +24,9 @@ po_status po_rigid_profile_quadrature(const po_scene *scene, double approach, do
  * PO_NOT_FOUND. Accuracy: as the load; measured on every row of reference/rigid_profiles.csv. */
 po_status po_rigid_profile_pull_off(const po_scene *scene, po_rigid_pull_off *pull_off);
 
+/* The elastic displacement on the axis, eps, under the tractions of the rigid bodies at an
+ * approach: 2 c times the integral of |p| over the radius, by the midpoint rule. Accuracy: some
+ * percent. */
+double po_rigid_profile_elongation(const po_scene *scene, double approach);
+
 #endif
