@@ -12,7 +12,6 @@
 #include "po_memory.h"
 #include "po_pins.h"
 #include "po_record.h"
-#include "po_text.h"
 
 typedef struct {
   size_t point;
