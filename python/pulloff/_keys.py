@@ -1,5 +1,5 @@
-"""The keys of a scene, for type checkers and editors. This file is made of the keys of the library: after a change of them,
-python3 tests/python/keys.py --write makes it anew."""
+"""The keys of a scene, for type checkers and editors. This file is made of the keys of the library: after a change of
+them, python3 tests/python/keys.py --write makes it anew."""
 
 from typing import TypedDict
 

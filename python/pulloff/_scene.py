@@ -192,7 +192,8 @@ def _describe_keys() -> str:
     return "\n".join([*lines, "    "])
 
 
-for _function in (Scene.__new__, Scene.__init__, Scene.update, Scene.solve, Scene.compare, Scene.physical.__func__):  # type: ignore[attr-defined]
+for _function in (Scene.__new__, Scene.__init__, Scene.update, Scene.solve, Scene.compare,
+                  Scene.physical.__func__):  # type: ignore[attr-defined]
     name_keys(_function)
 if Scene.__doc__:  # not with python3 -OO
     Scene.__doc__ += _describe_keys()

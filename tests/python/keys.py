@@ -10,8 +10,8 @@ import sys
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = SOURCE / "python" / "pulloff"
 OTHERS = {"profile_file": "Path", "want": "Names", "waves": "Waves"}
-HEAD = '''"""The keys of a scene, for type checkers and editors. This file is made of the keys of the library: after a change of them,
-python3 tests/python/keys.py --write makes it anew."""
+HEAD = '''"""The keys of a scene, for type checkers and editors. This file is made of the keys of the library: after a change of
+them, python3 tests/python/keys.py --write makes it anew."""
 
 from typing import TypedDict
 
