@@ -51,7 +51,8 @@ static po_status allocate_rows(po_profile_table *t, size_t rows) {
   t->gap = po_allocate(rows, sizeof *t->gap);
   t->slope = po_allocate(rows, sizeof *t->slope);
   t->beyond = po_allocate(rows, sizeof *t->beyond);
-  return t->r && t->gap && t->slope && t->beyond ? PO_OK : PO_NO_MEMORY;
+  t->least = po_allocate(rows, sizeof *t->least);
+  return t->r && t->gap && t->slope && t->beyond && t->least ? PO_OK : PO_NO_MEMORY;
 }
 
 static po_status read_rows(const po_csv *csv, po_profile_table *t) {
@@ -196,7 +197,7 @@ static void derive(po_profile_table *t) {
   const size_t last = t->rows - 1;
   const double end = t->r[last];
   t->growth = end * t->slope[last] / t->gap[last];
-  t->beyond[last] = t->gap[last];
+  t->beyond[last] = t->least[last] = t->gap[last];
   t->detail = INFINITY;
   t->is_convex = true;
   const double rounding = ROUNDED * t->gap[last] / (end * end);
@@ -205,6 +206,7 @@ static void derive(po_profile_table *t) {
   for (size_t k = last; k-- > 0;) {
     const double least = least_between(t, k);
     t->beyond[k] = fmin(least, t->beyond[k + 1]);
+    t->least[k] = fmin(t->gap[k], t->least[k + 1]);
     narrowest = fmin(narrowest, t->r[k + 1] - t->r[k]);
     if (steepest_fall(t, k) > dip)
       t->detail = 0.0;
@@ -223,6 +225,7 @@ void po_profile_table_free(po_profile_table *t) {
   free(t->gap);
   free(t->slope);
   free(t->beyond);
+  free(t->least);
   free(t->measured);
   po_smoothing_free(&t->smoothing);
   free(t);
@@ -257,7 +260,8 @@ static po_status smooth_rows(po_profile_table *t) {
   free(t->gap);
   free(t->slope);
   free(t->beyond);
-  t->gap = t->slope = t->beyond = NULL;
+  free(t->least);
+  t->gap = t->slope = t->beyond = t->least = NULL;
   status = allocate_rows(t, s->knots);
   if (status)
     return status;

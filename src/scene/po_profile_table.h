@@ -26,6 +26,7 @@ typedef struct po_profile_table {
   double *r, *gap; /* rows: ascending from 0; gap less that at r = 0 */
   double *slope;   /* rows: of the spline */
   double *beyond;  /* rows: a lower bound of the gap from this row on */
+  double *least;   /* rows: the least of the gaps of this row and of those that follow */
   double growth;   /* the power of the continuation */
   double detail;   /* the smallest interval; INFINITY if the spline rises everywhere */
   bool is_convex;

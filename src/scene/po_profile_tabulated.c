@@ -10,9 +10,13 @@
 #include "po_root.h"
 #include "po_two.h"
 
-/* The interval of a radius; the last one beyond the end. */
+/* The interval of a radius; the last one beyond the end. Most rows are at equal distances: there it
+ * is where they would put it. */
 static size_t interval_of(const po_profile_table *t, double r) {
-  return po_order_last_up_to(t->r, t->rows - 1, r);
+  const size_t last = t->rows - 1;
+  const double place = r / t->r[last] * (double)last;
+  const size_t k = place < (double)last ? (size_t)place : last - 1;
+  return t->r[k] <= r && r < t->r[k + 1] ? k : po_order_last_up_to(t->r, last, r);
 }
 
 static double gap(const po_profile *profile, double r) {
@@ -77,18 +81,18 @@ static double above(double r, const void *data) {
   return gap(l->profile, r) - l->gap;
 }
 
-/* Found from outside, since a table need not rise everywhere. */
+/* A table need not rise everywhere: the interval sought begins at the last row that is not above the
+ * gap. */
 static double radius_of_gap(const po_profile *profile, double sought) {
   const po_profile_table *t = profile->table;
-  size_t k = t->rows - 1;
-  if (t->gap[k] <= sought)
-    return t->r[k] * po_pow(sought / t->gap[k], 1.0 / t->growth);
-  while (k > 0 && t->gap[k - 1] > sought)
-    --k;
-  if (k == 0)
+  const size_t last = t->rows - 1;
+  if (t->gap[last] <= sought)
+    return t->r[last] * po_pow(sought / t->gap[last], 1.0 / t->growth);
+  if (t->least[0] > sought)
     return 0.0;
+  const size_t k = po_order_last_up_to(t->least, t->rows, sought);
   const level l = {profile, sought};
-  return po_root(above, &l, t->r[k - 1], t->r[k]);
+  return po_root(above, &l, t->r[k], t->r[k + 1]);
 }
 
 static double next_joint(const po_profile *profile, double r) {

@@ -115,18 +115,25 @@ static double near_axis(double r, void *data) {
   return r * (q->slope ? -p.slope : p.traction);
 }
 
+static double averaged(double r, void *data) {
+  const integrand *q = data;
+  const double gap = po_initial_gap_mean(q->scene, r) - q->approach;
+  const po_law_value p = po_law_averaged(&q->scene->law, gap, po_initial_gap_amplitude(q->scene));
+  return (q->slope ? -p.slope : p.traction) * r;
+}
+
 /* r = begin/t */
 static double far_out(double t, void *data) {
   const integrand *q = data;
-  const double r = q->begin / t, gap = po_initial_gap_mean(q->scene, r) - q->approach;
-  const po_law_value p = po_law_averaged(&q->scene->law, gap, po_initial_gap_amplitude(q->scene));
-  return (q->slope ? -p.slope : p.traction) * r * r / t;
+  const double r = q->begin / t;
+  return averaged(r, data) * r / t;
 }
 
 /* The quadrature of a piece is accurate to PIECE_ACCURACY, relative, or to SMALL times the area. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-15;
 enum { MOST_PIECES = 50000 };
-/* The pieces end beyond this gap, or beyond the reach of a law without far field. */
+/* The pieces end beyond this gap, or beyond the reach of a law without far field; of a table the rows
+ * beyond are pieces, too. */
 static const double FARTHEST_GAP = 10.0;
 
 static po_status add(po_integrand f, integrand *q, double from, double to, double area,
@@ -150,11 +157,12 @@ static po_status integrate(integrand *q, double *sum) {
   *sum = 0.0;
   double r = 0.0;
   po_status status = PO_OK;
-  for (int k = 0; r < q->begin && !status; ++k) {
+  for (int k = 0; r < q->begin && !status;) {
     const double wave = po_scene_is_wavy(scene) ? 0.5 * po_initial_gap_detail(scene) : INFINITY;
-    double to = fmin(r + wave, fmin(q->begin, po_profile_next_joint(&scene->profile, r)));
-    to = fmin(to, fmax(first, 2.0 * r));
-    if (k == MOST_PIECES)
+    const double joint = po_profile_next_joint(&scene->profile, r);
+    const double to = fmin(fmin(r + wave, fmin(q->begin, joint)), fmax(first, 2.0 * r));
+    k += to < joint; /* the rows of a table are no waves */
+    if (k > MOST_PIECES)
       return po_fail(PO_TOO_MANY_POINTS,
                      "the rigid load has more than %d pieces: expected fewer waves", MOST_PIECES);
     status = add(near_axis, q, r, to, first * first, sum);
@@ -162,9 +170,17 @@ static po_status integrate(integrand *q, double *sum) {
       status = po_watch_look();
     r = to;
   }
-  return !status && has_far_field && isinf(scene->outer_radius)
-             ? add(far_out, q, 0.0, 1.0, first * first, sum)
-             : status;
+  if (status || !has_far_field || isfinite(scene->outer_radius))
+    return status;
+  for (const double rows = po_profile_shape(&scene->profile).end;
+       isfinite(rows) && r < rows && !status; q->begin = r) {
+    const double to = po_profile_next_joint(&scene->profile, r);
+    status = add(averaged, q, r, to, first * first, sum);
+    if (!status)
+      status = po_watch_look();
+    r = to;
+  }
+  return status ? status : add(far_out, q, 0.0, 1.0, first * first, sum);
 }
 
 /* The load by quadrature, or its rate. */
