@@ -81,8 +81,8 @@ static double above(double r, const void *data) {
   return gap(l->profile, r) - l->gap;
 }
 
-/* A table need not rise everywhere: the interval sought begins at the last row that is not above the
- * gap. */
+/* A table need not rise everywhere: the interval sought begins at the last row that is not above
+ * the gap. */
 static double radius_of_gap(const po_profile *profile, double sought) {
   const po_profile_table *t = profile->table;
   const size_t last = t->rows - 1;

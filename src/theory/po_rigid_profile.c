@@ -132,8 +132,8 @@ static double far_out(double t, void *data) {
 /* The quadrature of a piece is accurate to PIECE_ACCURACY, relative, or to SMALL times the area. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-15;
 enum { MOST_PIECES = 50000 };
-/* The pieces end beyond this gap, or beyond the reach of a law without far field; of a table the rows
- * beyond are pieces, too. */
+/* The pieces end beyond this gap, or beyond the reach of a law without far field; of a table the
+ * rows beyond are pieces, too. */
 static const double FARTHEST_GAP = 10.0;
 
 static po_status add(po_integrand f, integrand *q, double from, double to, double area,
