@@ -19,12 +19,14 @@ static double cube(double x) {
   return x * x * x;
 }
 
-/* That of the law of the paper, whose powers are computed by multiplication. */
-static const double USUAL_DECAY = 6.0;
+/* That of the law of the paper, whose powers are computed by multiplication; and the least. */
+static const double USUAL_DECAY = 6.0, LEAST_DECAY = 3.0;
 
 double po_panel_decay(const po_scene *scene) {
   const double decay = po_scene_decay(scene);
-  return isinf(decay) ? USUAL_DECAY : decay;
+  /* slower decays are refused but for rounding, as in a table of a cone: the traction times r ds
+   * would not be finite at infinity */
+  return isinf(decay) ? USUAL_DECAY : fmax(LEAST_DECAY, decay);
 }
 
 double po_panel_energy_decay(const po_scene *scene) {
