@@ -5,7 +5,12 @@
 #include "po_elementary.h"
 #include "po_far_energy.h"
 #include "po_initial_gap.h"
+#include "po_observe_parts.h"
+#include "po_panel_table.h"
 #include "po_rigid.h"
+#include "po_scales.h"
+
+/* -- The error of a solution -- */
 
 /* Factor of the leading term of the error of the average. In six scenes the term was from 0.93 to
  * 1.02 of the error. */
@@ -128,4 +133,84 @@ double po_far_field_rigid_energy(const po_scene *scene, double approach) {
   const po_far_place near = {end, po_initial_gap_mean(scene, end) - approach};
   const po_far_place far = {FARTHER * end, po_initial_gap_mean(scene, FARTHER * end) - approach};
   return error_of_average(scene, OF_ENERGY, end, near, far);
+}
+
+/* -- How far the panels reach -- */
+
+/* The law averaged over the waves beyond a domain, at the initial gap, and the polynomial in
+ * domain/r that stands for it there. */
+typedef struct {
+  const po_scene *scene;
+  double domain, decay, approach;
+  double factor[PO_TABLE_ORDER]; /* traction at the nodes over (domain/r)^decay */
+} far_panel;
+
+static double traction_at(const far_panel *f, double r) {
+  const double gap = po_initial_gap_mean(f->scene, r) - f->approach;
+  return po_law_averaged(&f->scene->law, gap, po_initial_gap_amplitude(f->scene)).traction;
+}
+
+static double error_at(const far_panel *f, double r) {
+  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  const double t = f->domain / r;
+  double lagrange[PO_TABLE_ORDER], sum = 0.0;
+  po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, t, lagrange);
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+    sum += lagrange[j] * f->factor[j];
+  return fabs(po_pow(t, f->decay) * sum - traction_at(f, r));
+}
+
+/* The pieces of the integral of the error: up to the next row of a table, or until the gap has
+ * changed by PART_OF_LAW of the length of the law, or the radius by PART_OF_RADIUS. They end at the
+ * last row, but not before FARTHEST times the domain: what is beyond has no weight in the
+ * polynomial either. */
+static const double PART_OF_LAW = 0.25, PART_OF_RADIUS = 0.2, FARTHEST = 100.0;
+
+/* Gauss's rule with two points on (0, 1): the error is needed to some percent. */
+static const double RULE[] = {0.21132486540518713, 0.78867513459481287};
+
+static double piece_end(const po_scene *scene, double r) {
+  const double slope = fabs(po_profile_slope(&scene->profile, scene->radius, r));
+  const double gap = po_profile_gap(&scene->profile, scene->radius, r);
+  const double length = PART_OF_LAW * po_law_size(&scene->law, gap) / slope;
+  return fmin(po_profile_next_joint(&scene->profile, r),
+              r + fmin(length, PART_OF_RADIUS * r)); /* a length of infinity is no limit */
+}
+
+/* The load of the difference between the traction of rigid bodies beyond a domain and the
+ * polynomial through its values at the nodes, by moduli, pi w R. Given: domain, eps; most: a sum
+ * above it is not continued. The bodies are nearer by the gap of the greatest usual contact: the
+ * deflection is smooth there. */
+static double error_of_initial_gap(const po_scene *scene, double domain, double most) {
+  far_panel f = {scene, domain, po_panel_decay(scene), po_scene_scales(scene).contact_gap, {0.0}};
+  const double *node = po_panel_table_get()->rule.node;
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+    f.factor[j] = traction_at(&f, domain / node[j]) / po_pow(node[j], f.decay);
+  const double rows = po_profile_shape(&scene->profile).end;
+  const double end = fmax(FARTHEST * domain, isfinite(rows) ? rows : 0.0);
+  double sum = 0.0;
+  for (double r = domain, to; r < end && !(sum > most); r = to) {
+    to = piece_end(scene, r);
+    for (int k = 0; k < 2; ++k) {
+      const double at = r + (to - r) * RULE[k];
+      sum += 2.0 / scene->radius * error_at(&f, at) * at * 0.5 * (to - r);
+    }
+  }
+  return sum;
+}
+
+/* Part of the tolerance that the polynomial may take of a usual load; factor between the cores that
+ * are tried, up to MOST times the first, or the last row. */
+static const double PART_OF_TOLERANCE = 0.1, LARGER = 1.25, MOST = 16.0;
+
+double po_far_field_core(const po_scene *scene, double core, double tolerance) {
+  if (isfinite(scene->outer_radius) || isinf(po_law_numbers_of(&scene->law)->exponent))
+    return core;
+  const double allowed = PART_OF_TOLERANCE * tolerance * po_scene_scales(scene).load;
+  const double rows = po_profile_shape(&scene->profile).end;
+  const double most = fmax(MOST * core, isfinite(rows) ? LARGER * rows : 0.0);
+  for (double c = core; c < most; c *= LARGER)
+    if (!(error_of_initial_gap(scene, po_observe_domain(scene, c), allowed) > allowed))
+      return c;
+  return core;
 }

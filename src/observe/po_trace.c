@@ -3,6 +3,7 @@
 
 #include "po_continuation.h"
 #include "po_diagnose.h"
+#include "po_far_field.h"
 #include "po_initial_gap.h"
 #include "po_observe_parts.h"
 #include "po_reader.h"
@@ -133,15 +134,16 @@ static po_status trace_rigid(const po_request *request, double farthest, po_read
 static po_status make_surface(const po_request *request, bool rigid, double core,
                               po_surface **surface) {
   const po_scene *scene = &request->scene;
+  const double far_enough = rigid ? core : po_far_field_core(scene, core, request->mesh.tolerance);
   if (rigid || request->mesh.scheme != PO_PANEL) {
     po_mesh mesh = request->mesh;
     if (mesh.scheme == PO_PANEL) {
       mesh = po_mesh_default();
       mesh.scheme = PO_TRIANGLE;
     }
-    return po_surface_create(scene, &mesh, core, !rigid, surface);
+    return po_surface_create(scene, &mesh, far_enough, !rigid, surface);
   }
-  const double domain = po_observe_domain(scene, core);
+  const double domain = po_observe_domain(scene, far_enough);
   const double waves = domain / po_initial_gap_detail(scene);
   uint32_t level = 2; /* 2^level panels have at most the length of a wave, if 64 are enough */
   while (level < 6 && (double)(1 << level) < waves)
