@@ -255,8 +255,12 @@ static const double LONGEST_THEORIES = 0.5;
 /* Evaluates the theories for their line, if they are not wanted as a result. */
 static void evaluate_theories(const po_request *request, po_result *result) {
   const po_watch before = po_watch_begin(request->stop, po_clock_thread() + LONGEST_THEORIES);
+  const double begin = po_clock_wall();
   if (!result->theories)
     request->companion->theories(request, result);
+  const double beside = po_clock_wall() - begin;
+  result->seconds_beside += beside;
+  result->work.seconds += beside;
   po_watch_end(before);
   po_message_clear();
 }

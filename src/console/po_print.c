@@ -88,6 +88,12 @@ static void print_pull_off(const po_result *o) {
   if (isfinite(o->pull_off.force_error))
     printf("errors   force %.1e, approach %.1e, contact radius %.1e\n", o->pull_off.force_error,
            o->pull_off.approach_error, o->pull_off.contact_radius_error);
+  if (o->pull_off.excess > 1.0)
+    printf("warning  the error of the force is %.2g times the tolerance: expected at most 1, by a "
+           "larger tolerance%s\n",
+           o->pull_off.excess,
+           o->pull_off.far_force_error > 0.5 * o->pull_off.force_error ? " or an outer radius"
+                                                                       : "");
 }
 
 /* Part of R. At this contact radius the gap of the sphere exceeds that of the parabola by 2 %, and
@@ -319,6 +325,9 @@ void po_print_summary(const po_request *request, const po_result *result) {
   print_parabola(request, result);
 }
 
+/* Time beside the trace that is said, s. */
+static const double LONG_BESIDE = 5.0;
+
 po_status po_print_text(const po_request *request, const po_given *given, const po_result *result) {
   po_print_summary(request, result);
   po_print_uncertain(result, 1.0, po_input_load_unit(request));
@@ -343,11 +352,14 @@ po_status po_print_text(const po_request *request, const po_given *given, const 
                iterations = (size_t)result->work.newton_iterations,
                factorizations = (size_t)result->work.factorizations,
                nodes = (size_t)result->work.factorized_nodes;
-  printf("work     %zu %s, %zu Newton %s, %zu %s of at most %zu %s, %.3g s\n", points,
+  printf("work     %zu %s, %zu Newton %s, %zu %s of at most %zu %s, %.3g s", points,
          po_one_or_more(points, "point", "points"), iterations,
          po_one_or_more(iterations, "iteration", "iterations"), factorizations,
          po_one_or_more(factorizations, "factorisation", "factorisations"), nodes,
          po_one_or_more(nodes, "node", "nodes"), result->work.seconds);
+  if (result->seconds_beside > LONG_BESIDE)
+    printf(", of which %.3g s for the theories and solves beside it", result->seconds_beside);
+  printf("\n");
   po_result wanted = *result;
   if (!(request->want & PO_WANT_THEORIES)) /* those of the line are no result */
     wanted.theory_count = 0;

@@ -176,7 +176,29 @@ static void print_source(const po_uncertain *u, double unit, const char *name) {
            rounded(u->below * unit), name, rounded(u->above * unit));
 }
 
+/* The first intervals of the rows, in which a contact is known by few rows. */
+enum { FIRST_INTERVALS = 4 };
+
+/* What the interpolation of a table does to the force. */
+static void print_interpolation(const po_result *o, double unit, const char *name) {
+  if (!o->interpolation.is_known)
+    return;
+  printf("uncertain interpolation of the rows: ");
+  if (isnan(o->interpolation.force))
+    printf("unknown, because a solve with another spline failed\n");
+  else
+    printf(
+        "force +-%g %s, without every other row %+g or %+g, with a round apex %+g\n",
+        rounded(o->interpolation.force * unit), name, rounded(o->interpolation.without_odd * unit),
+        rounded(o->interpolation.without_even * unit), rounded(o->interpolation.round_apex * unit));
+  if (o->interpolation.interval <= FIRST_INTERVALS)
+    printf("warning  the contact at pull-off ends in interval %d of the rows: there the force is "
+           "that of the interpolation; expected rows nearer to each other about the axis\n",
+           o->interpolation.interval);
+}
+
 void po_print_uncertain(const po_result *result, double unit, const char *name) {
+  print_interpolation(result, unit, name);
   for (size_t k = 0; k < result->uncertain_count; ++k)
     print_source(&result->uncertain[k], unit, name);
   if (result->uncertain_count > 1 && !isnan(result->uncertainty))

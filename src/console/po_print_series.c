@@ -124,11 +124,15 @@ static po_status print_rows(const po_printed_series *series) {
   print_units(series, &p);
   printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", series->name, "force", "error", "approach",
          "error", "contact radius", "obtained", "factorisations");
-  size_t followed = 0;
+  size_t followed = 0, exceeded = 0;
   for (size_t k = 0; k < series->count; ++k) {
     print_row(series, &p, k);
     followed += series->results[k].followed;
+    exceeded += series->results[k].pull_off.excess > 1.0;
   }
+  if (exceeded)
+    printf("warning  the error of the force is more than the tolerance in %zu of these scenes\n",
+           exceeded);
   printf("work     %llu %s for %zu %s, %zu of them followed\n", factorizations(series),
          po_one_or_more((size_t)factorizations(series), "factorisation", "factorisations"),
          series->count, po_one_or_more(series->count, "scene", "scenes"), followed);

@@ -7,9 +7,14 @@
 
 /* Members without a line: those with one of these names, and objects with one of the others. (A
  * loop has a number called `work`, which is a result.) */
-static const char *const NO_RESULT[] = {"schema",  "digest",    "reason",
-                                        "seconds", "condition", "bordered_condition"};
-static const char *const NO_RESULTS[] = {"input", "work", "physical"};
+static const char *const NO_RESULT[] = {"schema",
+                                        "digest",
+                                        "reason",
+                                        "seconds",
+                                        "condition",
+                                        "bordered_condition",
+                                        "error_over_tolerance"};
+static const char *const NO_RESULTS[] = {"input", "work", "physical", "interpolation"};
 
 static bool is_one_of(const char *key, const char *const *names, size_t count) {
   for (size_t k = 0; k < count; ++k)

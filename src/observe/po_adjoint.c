@@ -99,22 +99,38 @@ static po_status weigh_rigid(const po_scene *scene, double approach, weights *w)
   return status;
 }
 
-static po_status find_noise(const po_scene *scene, const po_surface *surface,
-                            const po_branch_point *p, po_result *o) {
+static po_status find_noise(const po_profile_table *table, const weights *w, po_result *o) {
+  o->noise.change = po_allocate(2 * table->rows, sizeof *o->noise.change);
+  return o->noise.change ? po_profile_table_noise(table, w->count, w->list, &o->noise.deviation,
+                                                  o->noise.change)
+                         : PO_NO_MEMORY;
+}
+
+/* Keeps the weights for the readings of a table without noise. */
+static po_status keep_weights(const weights *w, po_result *o) {
+  double *kept = o->interpolation.weights = po_allocate(2 * w->count, sizeof *kept);
+  o->interpolation.weight_count = w->count;
+  for (size_t i = 0; kept && i < w->count; ++i) {
+    kept[2 * i] = w->list[i].r;
+    kept[2 * i + 1] = w->list[i].weight;
+  }
+  return kept ? PO_OK : PO_NO_MEMORY;
+}
+
+static po_status weigh_table(const po_scene *scene, const po_surface *surface,
+                             const po_branch_point *p, po_result *o) {
   const po_profile_table *table = scene->profile.table;
   free(o->noise.change);
-  o->noise.change = NULL;
-  if (!po_profile_is_table(&scene->profile) || !table->smoothing.knots ||
+  free(o->interpolation.weights);
+  o->noise.change = o->interpolation.weights = NULL;
+  if (!po_profile_is_table(&scene->profile) ||
       (p->solution ? !has_adjoint(surface, p->solution) : p->gap != NULL))
     return PO_OK;
   weights w = {0};
   po_status status = p->solution ? weigh_elastic(scene, surface, p->solution, &w)
                                  : weigh_rigid(scene, p->approach, &w);
-  o->noise.change = po_allocate(2 * table->rows, sizeof *o->noise.change);
-  if (!o->noise.change)
-    status = PO_NO_MEMORY;
   if (!status)
-    status = po_profile_table_noise(table, w.count, w.list, &o->noise.deviation, o->noise.change);
+    status = table->smoothing.knots ? find_noise(table, &w, o) : keep_weights(&w, o);
   free(w.list);
   return status;
 }
@@ -124,5 +140,5 @@ po_status po_adjoint_note(const po_scene *scene, const po_surface *surface,
   if (p->solution)
     o->pull_off.has_sensitivity =
         find_sensitivity(scene, surface, p->solution, &o->pull_off.sensitivity);
-  return find_noise(scene, surface, p, o);
+  return weigh_table(scene, surface, p, o);
 }

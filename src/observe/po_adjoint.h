@@ -23,7 +23,8 @@
  * mesh it is, not looked at for rigid bodies, whose x is dp/dH (2/R) r dr at the initial gap.
  * Returned: in the result, `sensitivity` of the pull-off, whose residual and rounding are NAN, and
  * `has_sensitivity`, false at a fold; both are unchanged off panels; and `noise`, whose change is
- * NULL without a smoothed table, or off panels. Status: PO_NO_MEMORY. */
+ * NULL without a smoothed table, or off panels; and for another table the weights of
+ * `interpolation`, likewise. Status: PO_NO_MEMORY. */
 po_status po_adjoint_note(const po_scene *scene, const po_surface *surface,
                           const po_branch_point *p, po_result *result);
 

@@ -96,17 +96,24 @@ static bool is_unsure(const po_request *request, const po_result *result) {
          isnan(result->pull_off.force_error);
 }
 
-/* The estimated error of the pull-off force relative to the tolerance; 0 if it is within the
- * tolerance. The part of the far field is not counted: no other mesh would reduce it. */
-static double excess_error(const po_request *request, const po_result *result) {
+/* The part of the estimated error of the pull-off force that finer panels reduce, relative to the
+ * tolerance; 0 if it is within the tolerance. */
+static double excess_of_panels(const po_request *request, const po_result *result) {
   if (is_unsure(request, result))
     return UNKNOWN_EXCESS;
-  if (!result->has_pull_off)
+  if (result->rigid || !result->has_pull_off)
     return 0.0;
   const double force = result->pull_off.force;
   const double seen = result->pull_off.force_error - result->pull_off.far_force_error;
   const double excess = seen / (request->mesh.tolerance * force);
   return excess > 1.0 ? excess : 0.0;
+}
+
+/* Whether the part by the far field, which a larger domain reduces, makes the solve fail alone. */
+static bool needs_larger_domain(const po_request *request, const po_result *result) {
+  return result->has_pull_off && !result->rigid &&
+         result->pull_off.far_force_error >
+             MOST_EXCESS * request->mesh.tolerance * result->pull_off.force;
 }
 
 /* The greatest approach at which the trace may begin; NAN: any. */
@@ -152,10 +159,10 @@ static po_status attempt(const po_request *request, po_kept_points *kept, po_res
     po_result_clear(result);
     status = po_trace(request, &a, kept, result);
     add_work(&result->work, &work);
-    double excess = status || result->rigid ? 0.0 : excess_error(request, result);
+    double excess = status ? 0.0 : excess_of_panels(request, result);
     if (!status && a.unmet_folds > 0)
       excess = fmax(excess, UNKNOWN_EXCESS);
-    if (status == PO_OUT_OF_DOMAIN) {
+    if (status == PO_OUT_OF_DOMAIN || (!status && needs_larger_domain(request, result))) {
       a.core *= CORE_GROWTH;
       ++meshes;
     } else if (excess > 0.0 && traces < MOST_TRACES) {
@@ -173,12 +180,16 @@ static po_status attempt(const po_request *request, po_kept_points *kept, po_res
         "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
         "equilibrium was found there on a finer mesh",
         result->pull_off.force * po_scene_load_unit(&request->scene), result->pull_off.approach);
-  if (!status && !result->rigid && excess_error(request, result) > MOST_EXCESS)
+  if (!status && po_request_excess(request, result) > MOST_EXCESS)
     return po_fail(PO_NOT_CONVERGED,
-                   "the error of the pull-off force %.6g is estimated at %.2g, far above the "
-                   "tolerance, also on finer panels",
+                   "the error of the pull-off force %.6g is estimated at %.2g, %.2g times the "
+                   "tolerance, also on finer panels%s",
                    result->pull_off.force * po_scene_load_unit(&request->scene),
-                   result->pull_off.force_error * po_scene_load_unit(&request->scene));
+                   result->pull_off.force_error * po_scene_load_unit(&request->scene),
+                   po_request_excess(request, result),
+                   needs_larger_domain(request, result)
+                       ? " and a larger domain: expected a larger tolerance or an outer radius"
+                       : ": expected a larger tolerance");
   return status;
 }
 
@@ -201,7 +212,8 @@ static po_status trace_attempts(const po_request *request, po_kept_points *kept,
 }
 
 /* Writes the status of a solve and the reason into its result. Returned: the status. */
-static po_status finish(po_status status, po_result *result) {
+static po_status finish(const po_request *request, po_status status, po_result *result) {
+  result->pull_off.excess = po_request_excess(request, result);
   result->status = po_no_memory_or(status);
   if (result->status)
     snprintf(result->reason, sizeof result->reason, "%s",
@@ -213,7 +225,7 @@ po_status po_observe_kept(const po_request *request, po_kept_points *kept, po_re
   const po_watch before = po_watch_begin(request->stop, po_observe_deadline(request));
   const po_status status = trace_attempts(request, kept, result);
   po_watch_end(before);
-  return finish(status, result);
+  return finish(request, status, result);
 }
 
 /* Processor time for the theories beside a failed solve, which may have used all of its own, s.
@@ -235,12 +247,15 @@ po_status po_observe(const po_request *asked, po_result *result) {
   const po_request request = po_load_unit_request(asked);
   const po_watch before = po_watch_begin(request.stop, po_observe_deadline(&request));
   po_status status = trace_attempts(&request, NULL, result);
+  const double begin = po_clock_wall(), diagnosed = result->diagnostics.seconds;
   if (!status)
     status = po_observe_changed(&request, result);
   if (!status)
     status = accompany(&request, result);
+  result->seconds_beside = po_clock_wall() - begin - (result->diagnostics.seconds - diagnosed);
+  result->work.seconds += result->seconds_beside;
   po_watch_end(before);
-  status = finish(status, result);
+  status = finish(&request, status, result);
   accompany_failed(&request, result);
   po_load_unit_result(&request.scene, result);
   return status;

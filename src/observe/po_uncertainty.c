@@ -7,6 +7,7 @@
 #include "po_load_unit.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
+#include "po_order.h"
 #include "po_profile_table.h"
 #include "po_watch.h"
 
@@ -200,8 +201,66 @@ static po_status find_uncertainty(const po_request *request, po_result *o) {
   return status;
 }
 
+/* -- The interpolation of a table without noise -- */
+
+/* Part of the force up to which a change of first order is taken. The second order is about as
+ * large a part of the change as the change is of the force. */
+static const double FIRST_ORDER = 0.05;
+
+/* The change of the force by another spline through the rows. */
+static po_status change_of_reading(const po_request *request, po_reading reading, po_result *o,
+                                   double *change) {
+  po_profile_table *again;
+  po_request moved = *request;
+  po_status status = po_profile_table_read_again(request->scene.profile.table, reading, &again);
+  if (status)
+    return status;
+  moved.scene.profile.table = again;
+  double load = 0.0;
+  for (size_t i = 0; i < o->interpolation.weight_count; ++i) {
+    const double r = o->interpolation.weights[2 * i];
+    load += o->interpolation.weights[2 * i + 1] * (po_profile_gap(&moved.scene.profile, 1.0, r) -
+                                                   po_profile_gap(&request->scene.profile, 1.0, r));
+  }
+  *change = -load; /* where the load falls, the force grows */
+  if (!(fabs(load) <= FIRST_ORDER * o->pull_off.force)) {
+    *change = NAN;
+    o->interpolation.solved = true;
+    status = solve(request, &moved, 1.0, o, change);
+  }
+  po_profile_table_free(again);
+  return status;
+}
+
+/* The changes by the other readings of the rows. An error that all of these splines share is not
+ * seen. */
+static po_status read_again(const po_request *request, po_result *o) {
+  if (!o->interpolation.weights)
+    return PO_OK;
+  const po_profile_table *table = request->scene.profile.table;
+  double *const changes[PO_READINGS] = {[PO_WITHOUT_ODD] = &o->interpolation.without_odd,
+                                        [PO_WITHOUT_EVEN] = &o->interpolation.without_even,
+                                        [PO_ROUND_APEX] = &o->interpolation.round_apex};
+  po_status status = PO_OK;
+  double most = 0.0;
+  for (int k = 0; k < PO_READINGS && !status; ++k) {
+    status = change_of_reading(request, (po_reading)k, o, changes[k]);
+    if (!(fabs(*changes[k]) <= most)) /* NaN stays */
+      most = isnan(most) ? most : fabs(*changes[k]);
+  }
+  o->interpolation.force = most;
+  o->interpolation.interval =
+      (int)po_order_last_up_to(table->r, table->rows, o->pull_off.contact_radius) + 1;
+  o->interpolation.is_known = !status;
+  if (!status)
+    po_message_clear();
+  return status;
+}
+
 po_status po_observe_changed(const po_request *request, po_result *result) {
   const bool diagnoses = request->want & PO_WANT_DIAGNOSTICS;
-  const po_status status = diagnoses ? diagnose_moved(request, result) : PO_OK;
-  return status || !result->has_pull_off ? status : find_uncertainty(request, result);
+  po_status status = diagnoses ? diagnose_moved(request, result) : PO_OK;
+  if (!status && result->has_pull_off)
+    status = find_uncertainty(request, result);
+  return status || !result->has_pull_off ? status : read_again(request, result);
 }

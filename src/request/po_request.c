@@ -38,6 +38,12 @@ bool po_want_read(const char *list, unsigned *want) {
 
 const double PO_USUAL_PRELOAD = 1.0;
 
+double po_request_excess(const po_request *request, const po_result *result) {
+  return result->has_pull_off
+             ? result->pull_off.force_error / (request->mesh.tolerance * result->pull_off.force)
+             : (double)NAN;
+}
+
 po_preload po_request_preload(const po_request *request) {
   if (!isnan(request->preload.approach) || !isnan(request->preload.load))
     return request->preload;

@@ -107,6 +107,10 @@ bool po_want_read(const char *list, unsigned *want);
  */
 po_request po_request_default(void);
 
+/* The error of the pull-off force over the tolerance times the force. Returned: NAN if the error is
+ * not estimated, or without a pull-off. */
+double po_request_excess(const po_request *request, const po_result *result);
+
 /* The load of the default preload, pi w R. */
 extern const double PO_USUAL_PRELOAD;
 

@@ -5,19 +5,20 @@
 
 po_result po_result_none(void) {
   const po_preload unknown = {(double)NAN, (double)NAN};
-  return (po_result){.status = PO_OK,
-                     .start = NAN,
-                     .ended = {.approach = NAN, .load = NAN},
-                     .profile_approach = NAN,
-                     .uncertainty = NAN,
-                     .pull_off = {.full_disc = NAN, .pressed = unknown, .until = unknown},
-                     .pull_off_any = {.pressed = unknown, .searched = unknown},
-                     .diagnostics = {.residual = NAN,
-                                     .rounding = NAN,
-                                     .energy_defect = NAN,
-                                     .energy_defect_at = NAN,
-                                     .reverse_trace = {.excess = NAN},
-                                     .moved = {.change = NAN, .excess = NAN, .predicted = NAN}}};
+  return (po_result){
+      .status = PO_OK,
+      .start = NAN,
+      .ended = {.approach = NAN, .load = NAN},
+      .profile_approach = NAN,
+      .uncertainty = NAN,
+      .pull_off = {.full_disc = NAN, .excess = NAN, .pressed = unknown, .until = unknown},
+      .pull_off_any = {.pressed = unknown, .searched = unknown},
+      .diagnostics = {.residual = NAN,
+                      .rounding = NAN,
+                      .energy_defect = NAN,
+                      .energy_defect_at = NAN,
+                      .reverse_trace = {.excess = NAN},
+                      .moved = {.change = NAN, .excess = NAN, .predicted = NAN}}};
 }
 
 void po_result_clear(po_result *result) {
@@ -32,6 +33,7 @@ void po_result_clear(po_result *result) {
   po_hysteresis_clear(&result->theory.hysteresis);
   po_staircases_clear(&result->theory.staircase);
   free(result->noise.change);
+  free(result->interpolation.weights);
   free(result->uncertain);
   free(result->theories);
   free(result->diagnostics.states);

@@ -86,7 +86,7 @@ typedef struct {
   uint64_t nodes;              /* largest number of nodes of the surface */
   uint64_t factorized_nodes;   /* largest order of a factorised matrix */
   uint64_t meshes;             /* changes of the mesh */
-  double seconds;              /* wall time */
+  double seconds;              /* wall time, but for diagnostics */
 } po_work;
 
 /* What the uncertainty of one input, or the noise of a profile, does to the pull-off force. */
@@ -127,7 +127,8 @@ typedef struct {
     double
         force_error; /* estimated bound of the error of force; NAN: not estimated by this scheme */
     double far_force_error; /* the part of force_error that no other mesh reduces */
-    double approach_error;  /* the same of approach */
+    double excess; /* force_error over the tolerance times the force; NAN: without force_error */
+    double approach_error; /* the same of approach */
     double contact_radius_error,
         contact_radius_other; /* see po_contact_edge; NAN: not estimated, none */
     double full_disc; /* radius of the disc about the axis that is in contact without a groove, over
@@ -170,12 +171,25 @@ typedef struct {
     double deviation; /* of the force by the noise of a smoothed table, pi w R of the solve */
     double *change;   /* of the table that belongs to it (po_profile_table_noise); NULL: none */
   } noise;
+  struct {           /* of the pull-off force by the interpolation of a table without noise */
+    double *weights; /* the radii, eps, and the derivatives of the load by the gap there, in pairs;
+                        NULL: not known */
+    size_t weight_count;
+    bool is_known;
+    double force;                     /* the greatest modulus of the next three, pi w R */
+    double without_odd, without_even; /* change of the force if every other row is left out */
+    double round_apex;                /* if the spline is level on the axis; NAN: no solution */
+    int interval;                     /* of the rows in which the contact ends; the first is 1 */
+    bool solved;                      /* by solves, otherwise to first order */
+  } interpolation;
   po_uncertain *uncertain; /* one a source; NULL: there is none */
   size_t uncertain_count;
   double
       uncertainty; /* of the force by all of them: the root of the sum of squares; NAN: unknown */
   po_theory_row *theories; /* one a theory; NULL unless wanted */
   size_t theory_count;
+  double seconds_beside; /* the part of the wall time for solves with changed inputs and for the
+                            theories beside the solve; not in documents */
   po_diagnostics diagnostics; /* states is NULL unless wanted */
   po_work work;
 } po_result;

@@ -111,7 +111,7 @@ static const po_row WORK[] = {
   COUNT("nodes", nodes, "unknowns of the surface; the largest number if the mesh changes"),
   COUNT("factorized_nodes", factorized_nodes, "largest order of a factorised Jacobian"),
   COUNT("meshes", meshes, "number of changes of the mesh"),
-  NUMBER("seconds", seconds, TIME, "", "if not known", "elapsed time"),
+  NUMBER("seconds", seconds, TIME, "", "if not known", "elapsed time, with that of the theories beside the solve"),
 };
 static const po_block WORK_ROWS = BLOCK("work", WORK, NULL);
 #undef S
@@ -126,6 +126,8 @@ static const po_row PULL_OFF[] = {
   NUMBER("contact_radius_error_estimate", pull_off.contact_radius_error, LENGTH, "",
          "as `error_estimate`", "bound of the error of `contact_radius`"),
   NUMBER("contact_radius_other", pull_off.contact_radius_other, LENGTH, "", "otherwise", OTHER_RADIUS),
+  NUMBER("error_over_tolerance", pull_off.excess, NONE, "", "as `error_estimate`",
+         "`error_estimate` over the tolerance times `force`. Above 1 the tolerance is not met; above 10 the solve fails"),
   PART("preload", pull_off.pressed, PRESSED_ROWS,
        "the least preload that gives this pull-off; its members are null if no test at given approach measures it"),
   PART("until", pull_off.until, PRESSED_ROWS,
@@ -164,6 +166,17 @@ static const po_row UNCERTAINTY[] = {
   LIST("sources", uncertain, uncertain_count, PO_UNCERTAIN_ROWS, NULL, "", "one row an uncertain input"),
 };
 static const po_block UNCERTAINTY_ROWS = BLOCK("uncertainty", UNCERTAINTY, NULL);
+
+static const po_row INTERPOLATION[] = {
+  NUMBER("force", interpolation.force, LOAD, "", "if a solve failed", "the greatest modulus of the three changes"),
+  NUMBER("without_odd_rows", interpolation.without_odd, LOAD, "", "if that solve failed",
+         "change of the pull-off force if the rows of odd number, counted from 0 on the axis, are left out"),
+  NUMBER("without_even_rows", interpolation.without_even, LOAD, "", "if that solve failed", "the same of even number, but for the first and the last row"),
+  NUMBER("round_apex", interpolation.round_apex, LOAD, "", "if that solve failed", "the same if the spline is level on the axis"),
+  INTEGER("interval", interpolation.interval, "the interval of the rows, from 1, in which the contact ends at pull-off"),
+  FLAG("solved", interpolation.solved, "whether a change was so large that the scene was solved with the changed spline; otherwise they are of first order"),
+};
+static const po_block INTERPOLATION_ROWS = BLOCK("interpolation", INTERPOLATION, NULL);
 
 static const char *const CAUSES[] = {
   [PO_END_NONE] = "none", [PO_END_COMPRESSED] = "compressed", [PO_END_PRELOAD] = "preload",
@@ -237,6 +250,9 @@ static const po_row RESULT[] = {
 };
 
 static const po_row WANTED[] = {
+  {.key = "interpolation", .type = PO_ROW_PART, .block = &INTERPOLATION_ROWS, .omitted = true,
+   .present = AT(bool, interpolation.is_known),
+   TEXTS("", "absent but for a table without noise", "uncertainty of the pull-off force by the interpolation between the rows of a table; it has no part in `error_estimate`, nor in the digest")},
   {.key = "uncertainty", .type = PO_ROW_PART, .block = &UNCERTAINTY_ROWS, .omitted = true, .count = AT(size_t, uncertain_count),
    TEXTS("", "absent without uncertain inputs", "standard uncertainty of the pull-off force by that of the inputs; it has no part in `error_estimate`")},
   {.key = "hysteresis", .type = PO_ROW_PART, .block = &PO_HYSTERESIS_ROWS, .omitted = true,

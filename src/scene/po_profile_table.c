@@ -310,27 +310,81 @@ size_t po_profile_table_points(const po_profile_table *t) {
   return t->smoothing.knots ? t->smoothing.points : t->rows;
 }
 
-po_status po_profile_table_displace(const po_profile_table *t, const double *change,
-                                    double multiple, po_profile_table **displaced) {
-  po_profile_table *d = *displaced = po_allocate(1, sizeof *d);
+/* A table with the numbers of another one, without rows. */
+static po_status begin_copy(const po_profile_table *t, po_profile_table **copy) {
+  po_profile_table *d = *copy = po_allocate(1, sizeof *d);
   if (!d)
     return PO_NO_MEMORY;
   *d = (po_profile_table){.scale = t->scale, .smooth = t->smooth, .uncertainty = t->uncertainty};
   memcpy(d->digest, t->digest, sizeof d->digest);
   d->path = po_copy_text(t->path);
-  const po_status status = d->path ? allocate_rows(d, t->rows) : PO_NO_MEMORY;
-  if (status) {
-    po_profile_table_free(d);
-    *displaced = NULL;
-    return status;
+  return d->path ? PO_OK : PO_NO_MEMORY;
+}
+
+/* Completes a copy, unless it failed. */
+static po_status end_copy(po_status status, po_profile_table **copy) {
+  if (!status) {
+    derive(*copy);
+    return PO_OK;
   }
-  for (size_t k = 0; k < t->rows; ++k) {
+  po_profile_table_free(*copy);
+  *copy = NULL;
+  return status;
+}
+
+po_status po_profile_table_displace(const po_profile_table *t, const double *change,
+                                    double multiple, po_profile_table **displaced) {
+  po_status status = begin_copy(t, displaced);
+  po_profile_table *d = *displaced;
+  if (!status)
+    status = allocate_rows(d, t->rows);
+  for (size_t k = 0; k < t->rows && !status; ++k) {
     d->r[k] = t->r[k];
     d->gap[k] = t->gap[k] + multiple * (change[k] - change[0]);
     d->slope[k] = t->slope[k] + multiple * change[t->rows + k];
   }
-  derive(d);
-  return PO_OK;
+  return end_copy(status, displaced);
+}
+
+/* The slopes of the spline that is level on the axis: that of the rows and their mirror images. */
+static po_status level_slopes(po_profile_table *t) {
+  const size_t last = t->rows - 1, count = 2 * last + 1;
+  double *const r = po_allocate(3 * count, sizeof *r);
+  if (!r)
+    return PO_NO_MEMORY;
+  double *const gap = r + count, *const slope = gap + count;
+  for (size_t k = 0; k <= last; ++k) {
+    r[last - k] = -t->r[k];
+    r[last + k] = t->r[k];
+    gap[last - k] = gap[last + k] = t->gap[k];
+  }
+  const po_status status = slopes_of(count, r, gap, slope);
+  if (!status)
+    memcpy(t->slope, slope + last, t->rows * sizeof *slope);
+  t->slope[0] = 0.0;
+  free(r);
+  return status;
+}
+
+po_status po_profile_table_read_again(const po_profile_table *t, po_reading reading,
+                                      po_profile_table **again) {
+  po_status status = begin_copy(t, again);
+  po_profile_table *d = *again;
+  if (!status)
+    status = allocate_rows(d, t->rows);
+  size_t kept = 0;
+  for (size_t k = 0; k < t->rows && !status; ++k)
+    if (reading == PO_ROUND_APEX || !is_left_out(t, k, reading == PO_WITHOUT_ODD)) {
+      d->r[kept] = t->r[k];
+      d->gap[kept++] = t->gap[k];
+    }
+  if (!status) {
+    d->rows = kept;
+    status = reading == PO_ROUND_APEX ? level_slopes(d) : slopes_of(kept, d->r, d->gap, d->slope);
+  }
+  if (!status && !(d->slope[kept - 1] > 0.0)) /* the continuation needs it */
+    d->slope[kept - 1] = t->slope[t->rows - 1];
+  return end_copy(status, again);
 }
 
 /* All tables that were read. */

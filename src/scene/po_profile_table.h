@@ -52,6 +52,18 @@ po_status po_profile_table_read(const char *path, double scale, double smooth,
 /* The number of rows of the file. */
 size_t po_profile_table_points(const po_profile_table *table);
 
+/* Other splines that the rows of a table without noise allow as well. */
+typedef enum {
+  PO_WITHOUT_ODD,  /* without the rows of odd number, but for the last one; the first is row 0 */
+  PO_WITHOUT_EVEN, /* without those of even number, but for the first and the last one */
+  PO_ROUND_APEX,   /* through all rows and level on the axis, as a body without a tip is */
+  PO_READINGS
+} po_reading;
+
+/* Reads the rows of a table again, to be passed to po_profile_table_free. Status: PO_NO_MEMORY. */
+po_status po_profile_table_read_again(const po_profile_table *table, po_reading reading,
+                                      po_profile_table **again);
+
 /* A radius, eps, and the weight of the gap there. */
 typedef struct {
   double r, weight;

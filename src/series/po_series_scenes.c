@@ -5,6 +5,7 @@
 
 #include "po_contact.h"
 #include "po_elementary.h"
+#include "po_far_field.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
 #include "po_series.h"
@@ -53,8 +54,10 @@ po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_s
     solved[k] = po_load_unit_request(&scenes.requests[k]);
   scenes.requests = solved;
   const po_status status = solve(&scenes);
-  for (size_t k = 0; k < scenes.count; ++k)
+  for (size_t k = 0; k < scenes.count; ++k) {
+    scenes.results[k].pull_off.excess = po_request_excess(&solved[k], &scenes.results[k]);
     po_load_unit_result(&solved[k].scene, &scenes.results[k]);
+  }
   free(solved);
   return status;
 }
@@ -67,6 +70,13 @@ static bool is_same(double a, double b) {
   return a == b || (isnan(a) && isnan(b));
 }
 
+/* Whether the panels end where those of the follower do: its domain grows smoothly with the scene,
+ * and not until the far field is resolved. */
+static bool has_usual_domain(const po_request *request) {
+  const double core = po_surface_core(&request->scene, (double)NAN);
+  return po_far_field_core(&request->scene, core, request->mesh.tolerance) == core;
+}
+
 bool po_series_alike(const po_request *a, const po_request *b) {
   return a->mesh.scheme == PO_PANEL && b->mesh.scheme == PO_PANEL && !a->want && !b->want &&
          a->mesh.tolerance == b->mesh.tolerance && isnan(a->approach_end) &&
@@ -76,7 +86,8 @@ bool po_series_alike(const po_request *a, const po_request *b) {
          po_profile_index(&a->scene.profile) == po_profile_index(&b->scene.profile) &&
          a->scene.profile.table == b->scene.profile.table &&
          po_scene_waves(&a->scene) == po_scene_waves(&b->scene) &&
-         isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
+         isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius) && has_usual_domain(a) &&
+         has_usual_domain(b);
 }
 
 po_status po_series_course_begin(po_series_course *c, size_t first, double tolerance) {

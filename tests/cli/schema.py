@@ -275,7 +275,7 @@ def main():
 
 
 # The first key says why a table is damaged, and the tables of the source tree are intact; a case has no uncertain inputs.
-NOT_HERE = {("listed_table", "reason"), ("record_physical", "uncertainty")}
+NOT_HERE = {("listed_table", "reason"), ("record_physical", "uncertainty"), ("record_physical", "interpolation")}
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -326,3 +326,62 @@ def test_a_parabola_is_no_sphere_in_a_wide_contact():
         assert line in expect(0, "", f"{verb} {soft}").out
     assert "sphere   the contact" not in expect(0, "", f"solve {soft} --profile exact_sphere:45e-9").out
     assert "sphere   the contact" not in expect(0, "", "solve --tabor 1").out
+
+
+def undulating(rows):
+    return [(r, r * r / 2000 + 0.25 * (1 - math.cos(2 * math.pi * r / 100))) for r in (2010 * k / rows for k in range(rows + 1))]
+
+
+@pytest.mark.parametrize("rows", [201, 4000])
+def test_rigid_bodies_under_an_undulating_table(rows):
+    """Beyond a gap of 4 the rest of the table was one integral in 1/r: "the quadrature of the rigid load failed at approach -10"."""
+    table("wavy.csv", undulating(rows))
+    found = document("solve --coupling 0 --profile-file wavy.csv")
+    same = document("solve --tabor 0 --radius 1000 --amplitude 0.25 --wavelength 100")
+    scale = 1000 * same["pull_off"]["force"]
+    assert abs(found["pull_off"]["force"] - scale) < (2e-5 if rows == 201 else 1e-8) * scale
+    assert abs(found["pull_off"]["force"] - scale) < 10 * found["interpolation"]["force"]
+
+
+def test_the_far_field_of_a_table_reaches_the_rows_that_matter():
+    """On the plateau at a gap of 40 much of the table attracts. The domain ended at a gap of 20, and one polynomial in 1/r stood for
+    the rest: 65.6035 +- 0.41 and status ok. With so little coupling the force is that of rigid bodies but for 2e-4 at most."""
+    plateau = [(r, 40 * (1 - math.exp(-9 * (r / 150) ** 2)) + 10 * (r / 150) ** 10) for r in (150 * k / 59 for k in range(60))]
+    table("plateau.csv", plateau)
+    found, rigid = (document(f"solve --coupling {coupling} --profile-file plateau.csv")["pull_off"] for coupling in (1e-6, 0))
+    assert found["error_over_tolerance"] < 1 and abs(found["force"] - rigid["force"]) < 3e-4 + found["error_estimate"]
+
+
+def test_a_table_of_a_cone_is_the_cone():
+    """The exponent of its continuation is 1 but for rounding, and less than 1 had no equilibrium at the start of the trace."""
+    slope = 98.87011186336669 / 67.17847731822704
+    table("cone.csv", [(r, slope * r) for r in (67.17847731822704 * k / 1542 for k in range(1543))])
+    agree(document("solve --coupling 0.02 --profile-file cone.csv")["pull_off"],
+          document(f"solve --coupling 0.02 --profile cone:{slope!r}")["pull_off"], "force")
+
+
+def test_an_error_above_the_tolerance_is_said():
+    found = document("solve --tabor 0 --tolerance 1e-10")["pull_off"]
+    assert found["error_over_tolerance"] == pytest.approx(found["error_estimate"] / (1e-10 * found["force"]), rel=1e-12)
+    assert found["error_over_tolerance"] > 1
+    assert expect(0, "", "solve --tabor 0 --tolerance 1e-10").count("^warning  the error of the force is 1.5 times the tolerance") == 1
+    assert expect(0, "", "solve --tabor 0").count("^warning") == 0
+
+
+def blunt(r, radius=5.0, half=math.radians(22)):
+    meet = radius * math.cos(half)
+    return radius - math.sqrt(radius * radius - r * r) if r < meet else radius * (1 - math.sin(half)) + (r - meet) / math.tan(half)
+
+
+def test_a_tip_that_the_rows_do_not_resolve():
+    """Rows every 15 units of a cone with an apex of radius 5: its force is that of the spline, and was stated with an error of 1e-8."""
+    command = "solve --coupling 0.01 --profile-file tip.csv"
+    table("tip.csv", [(15.0 * k, blunt(15.0 * k)) for k in range(101)])
+    printed, coarse = expect(0, "", command), document(command)
+    assert coarse["interpolation"]["interval"] == 1 and coarse["interpolation"]["solved"]
+    assert coarse["interpolation"]["force"] > coarse["pull_off"]["force"]
+    assert printed.count("^uncertain interpolation of the rows: force ") == 1
+    assert printed.count("^warning  the contact at pull-off ends in interval 1 of the rows: ") == 1
+    table("tip.csv", [(0.25 * k, blunt(0.25 * k)) for k in range(401)])
+    fine = document(command)
+    assert fine["interpolation"]["force"] < 0.02 * fine["pull_off"]["force"] and fine["interpolation"]["interval"] > 4

@@ -27,7 +27,7 @@ def test_the_document_has_the_documented_form():
     p = d["pull_off"]
     assert abs(p["force"] - 1.67067) < 1e-3 and abs(p["approach"] + 0.8734) < 2e-3
     assert set(p) == words("force approach contact_radius error_estimate approach_error_estimate contact_radius_error_estimate "
-                           "contact_radius_other preload until")
+                           "contact_radius_other error_over_tolerance preload until")
     assert p["preload"] == {"approach": p["approach"], "load": -p["force"]}
     assert p["until"] == {"approach": None, "load": None}
     a = d["pull_off_any"]

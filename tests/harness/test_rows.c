@@ -248,7 +248,8 @@ static void same_result(const po_result *a, const po_result *b) {
        WITHOUT(po_result, annuli.compressed), WITHOUT(po_result, annuli.held),
        WITHOUT(po_result, has_hysteresis), WITHOUT(po_result, hysteresis),
        WITHOUT(po_result, has_staircases), WITHOUT(po_result, staircase),
-       WITHOUT(po_result, theory), WITHOUT(po_result, theories), WITHOUT(po_result, diagnostics));
+       WITHOUT(po_result, theory), WITHOUT(po_result, theories), WITHOUT(po_result, diagnostics),
+       WITHOUT(po_result, interpolation), WITHOUT(po_result, seconds_beside));
   same_special_points(a->folds, b->folds, a->fold_count);
   same_special_points(a->extrema, b->extrema, a->extremum_count);
   for (size_t k = 0; k < a->annuli.held_count; ++k)
