@@ -32,9 +32,11 @@ def literal(text):
 
 
 def quoted(value):
-    """A value in the syntax of gnuplot."""
+    """A value in the syntax of gnuplot. It looks for macros and quotes also within quotes, and reads more than three octal digits:
+    characters that could mean something are strings of their own, joined with the others."""
     if isinstance(value, str):
-        return "'" + (value if isinstance(value, Enhanced) else literal(value)).replace("'", "''") + "'"
+        text = value if isinstance(value, Enhanced) else literal(value)
+        return "'" + re.sub(r"""[\0-\x1f'"\\@`$]""", lambda found: f"""'."\\{ord(found[0]):03o}".'""", text) + "'"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(quoted(item) for item in value) + "]"
     return repr(float(value)) if isinstance(value, float) else str(value)

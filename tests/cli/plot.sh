@@ -153,6 +153,16 @@ if command -v gnuplot >/dev/null; then
   # boxes that overlap the axes did not count: all forces above those of the other cells had the brightest colour
   check 'the colours reach to the greatest force' test "$(grep -c "fill = 'rgb(253, 231,  37)'" map.svg)" -le 2
   check 'the axes' test "$(grep -c -e 'tabor' -e 'amplitude_ratio' -e 'pull-off force/πwR' map.svg)" -ge 3
+  # gnuplot ended at an apostrophe, because it stood beside a backslash or in a name; a word behind @ was a macro.
+  title='it'\''s a\'\'\''b "q" @x a @places `id` $y #z {/:Bold b}_c^d~e %d µm'
+  printf '%s\n' "$title" >title
+  sed -i "s/^title: .*/title: |-/; /^title:/r title" "$PULLOFF_DATA/cases/good.yaml"
+  sed -i "/^title:/{n;s/^/  /}" "$PULLOFF_DATA/cases/good.yaml"
+  expect 0 '*' plot good --run map named.svg
+  check 'the title as it is' python3 -c 'import html, sys; sys.exit(sys.argv[1] not in html.unescape(open("named.svg").read()))' "$title"
+  { echo r,gap; seq 0 20 | awk '{ print 3 * $1 "," 0.045 * $1 * $1 }'; } >"it's \\ @x.csv"
+  expect 0 '' plot --tabor 0 --profile-file "it's \\ @x.csv" file.svg
+  check 'the name of a file as a shell reads it' grep -qF "'it'\\''s \\ @x.csv'" file.svg
 fi
 write_map 0.001 0.03 7
 expect 0 '*' plot good --run curves
