@@ -19,9 +19,9 @@ enum { MOST_ABOVE = 8 };
 /* The height of a picture with one row of panels, and that of each of several, pixels. */
 enum { ONE_ROW = 400, ROW = 340 };
 
-/* Appends a text as a string of gnuplot, after a word, and what follows it. gnuplot looks for macros
- * and quotes also within quotes, and reads more than three octal digits: characters that could mean
- * something are strings of their own, joined with the others. */
+/* Appends a text as a string of gnuplot, after a word, and what follows it. gnuplot looks for
+ * macros and quotes also within quotes, and reads more than three octal digits: characters that
+ * could mean something are strings of their own, joined with the others. */
 static void add_quoted(po_text *script, const char *word, const char *text, const char *after) {
   po_text_add(script, "%s'", word);
   for (const char *c = text; *c; ++c)

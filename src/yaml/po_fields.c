@@ -7,6 +7,7 @@
 
 #include "po_input.h"
 #include "po_memory.h"
+#include "po_quote.h"
 #include "po_suggest.h"
 #include "po_text.h"
 
@@ -58,7 +59,8 @@ static po_status refuse_key(const place *at, const yaml_node_t *key, const po_fi
   po_text known = {0};
   for (const po_field *field = fields; field->key; ++field)
     po_text_add(&known, "%s%s", known.length ? ", " : "", field->key);
-  const char *name = *text_of(key) ? text_of(key) : "''";
+  char shown[PO_QUOTE_LENGTH];
+  const char *name = *text_of(key) ? po_quote(text_of(key), shown) : "''";
   const po_status status = po_fail(PO_BAD_INPUT, "%s:%zu: %s%s%s is unknown: expected one of %s",
                                    at->yaml->name, key->start_mark.line + 1, at->path,
                                    *at->path ? "." : "", name, po_text_string(&known));

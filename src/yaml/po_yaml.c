@@ -51,8 +51,10 @@ static po_status check_mapping(const po_yaml *yaml, const yaml_node_t *mapping) 
     return status;
   const yaml_node_t *first = yaml_document_get_node(document, pairs[repeat.first].key);
   const yaml_node_t *again = yaml_document_get_node(document, pairs[repeat.again].key);
+  char shown[PO_QUOTE_LENGTH];
   return po_fail(PO_BAD_INPUT, "%s:%zu: %s is given twice, first on line %zu: expected it once",
-                 yaml->name, again->start_mark.line + 1, (const char *)again->data.scalar.value,
+                 yaml->name, again->start_mark.line + 1,
+                 po_quote((const char *)again->data.scalar.value, shown),
                  first->start_mark.line + 1);
 }
 
@@ -98,6 +100,56 @@ static po_status check_tree(const po_yaml *yaml) {
   return status;
 }
 
+/* The time of libyaml grows with the square of these numbers; a case has no anchor or directive,
+ * and values on six levels at most. */
+enum { MOST_LEVELS = 64, MOST_ANCHORS = 64, MOST_DIRECTIVES = 64 };
+
+static po_status refuse_many(const po_yaml *yaml, size_t line, int most, const char *what) {
+  return po_fail(PO_BAD_INPUT, "%s:%zu: the file has more than %d %s: expected a case", yaml->name,
+                 line, most, what);
+}
+
+/* Lines of directives begin with a percent sign; libyaml reads all of them before its first event.
+ */
+static po_status check_directives(const po_yaml *yaml, const char *bytes, size_t size) {
+  size_t line = 1;
+  int count = 0;
+  for (const char *at = bytes, *end = bytes + size; at && at < end; ++line) {
+    if (*at == '%' && ++count > MOST_DIRECTIVES)
+      return refuse_many(yaml, line, MOST_DIRECTIVES, "lines that begin with %");
+    at = memchr(at, '\n', (size_t)(end - at));
+    at += at != NULL;
+  }
+  return PO_OK;
+}
+
+/* Reads the file without building its tree. A file that is not YAML is refused when it is loaded.
+ */
+static po_status check_limits(po_yaml *yaml, yaml_parser_t *parser) {
+  po_status status = PO_OK;
+  int level = 0, anchors = 0;
+  for (bool more = true; more && !status;) {
+    yaml_event_t event;
+    if (!yaml_parser_parse(parser, &event))
+      return PO_OK;
+    const size_t line = event.start_mark.line + 1;
+    const bool list = event.type == YAML_SEQUENCE_START_EVENT;
+    const bool mapping = event.type == YAML_MAPPING_START_EVENT;
+    level += list || mapping;
+    level -= event.type == YAML_SEQUENCE_END_EVENT || event.type == YAML_MAPPING_END_EVENT;
+    anchors += (list && event.data.sequence_start.anchor) ||
+               (mapping && event.data.mapping_start.anchor) ||
+               (event.type == YAML_SCALAR_EVENT && event.data.scalar.anchor);
+    if (level > MOST_LEVELS)
+      status = refuse_many(yaml, line, MOST_LEVELS, "levels of lists and mappings");
+    else if (anchors > MOST_ANCHORS)
+      status = refuse_many(yaml, line, MOST_ANCHORS, "anchors");
+    more = event.type != YAML_STREAM_END_EVENT;
+    yaml_event_delete(&event);
+  }
+  return status;
+}
+
 /* Reads the next document. */
 static po_status load(const po_yaml *yaml, yaml_parser_t *parser, yaml_document_t *document) {
   po_memory_watch();
@@ -140,24 +192,34 @@ static po_status parse(po_yaml *yaml, yaml_parser_t *parser) {
   return PO_OK;
 }
 
+typedef po_status reader(po_yaml *yaml, yaml_parser_t *parser);
+
+static po_status with_parser(po_yaml *yaml, const char *bytes, size_t size, reader *read) {
+  yaml_parser_t parser;
+  if (!yaml_parser_initialize(&parser))
+    return po_fail(PO_NO_MEMORY, "%s: no memory for the parser", yaml->name);
+  yaml_parser_set_input_string(&parser, (const unsigned char *)bytes, size);
+  const po_status status = read(yaml, &parser);
+  yaml_parser_delete(&parser);
+  return status;
+}
+
 po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_yaml **yaml) {
   *yaml = NULL;
   if (memchr(bytes, '\0', size))
     return po_fail(PO_BAD_INPUT,
-                   "%s:1: the file is not text, it contains a zero byte: expected a case", name);
+                   "%s:1: the file is not text, it contains a zero byte, as UTF-16 does: expected "
+                   "a case in UTF-8",
+                   name);
   po_yaml *made = po_allocate(1, sizeof *made);
   if (!made)
     return PO_NO_MEMORY;
-  yaml_parser_t parser;
-  po_status status = PO_OK;
   made->name = po_copy_text(name);
-  if (!made->name || !yaml_parser_initialize(&parser))
-    status = po_fail(PO_NO_MEMORY, "%s: no memory for the parser", name);
-  else {
-    yaml_parser_set_input_string(&parser, (const unsigned char *)bytes, size);
-    status = parse(made, &parser);
-    yaml_parser_delete(&parser);
-  }
+  po_status status = made->name ? check_directives(made, bytes, size) : PO_NO_MEMORY;
+  if (!status)
+    status = with_parser(made, bytes, size, check_limits);
+  if (!status)
+    status = with_parser(made, bytes, size, parse);
   if (status)
     po_yaml_destroy(made);
   else

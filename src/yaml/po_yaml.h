@@ -18,8 +18,9 @@ typedef struct {
 
 /* Parses `size` bytes.
  * Given: `name`, the name of the file in messages.
- * Status: PO_BAD_INPUT with file and line: the file is empty, no text, no YAML, or has more than
- * one document, a repeated key in a mapping, an alias, or a control character. */
+ * Status: PO_BAD_INPUT with file and line: the file is empty, no text, no YAML, has more than
+ * one document, a repeated key in a mapping, an alias, or a control character, or so many levels,
+ * anchors or directives that libyaml would read it for minutes. */
 po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_yaml **yaml);
 void po_yaml_destroy(po_yaml *yaml);
 

@@ -132,11 +132,28 @@ restore
 : >"$file"
 expect 2 'pulloff: cases/good.yaml:1: the file is empty: expected a case' list
 printf '\177ELF\002\001\000\000\000' >"$file"
-expect 2 'pulloff: cases/good.yaml:1: the file is not text, it contains a zero byte: expected a case' list
+expect 2 'pulloff: cases/good.yaml:1: the file is not text, it contains a zero byte, as UTF-16 does: expected a case in UTF-8' list
 printf '\377\376\375name' >"$file"
 expect 2 'pulloff: cases/good.yaml:1: not YAML: *' list
 printf '%s\n' '- a' '- b' >"$file"
 expect 2 'pulloff: cases/good.yaml:1: not a case: expected key: value' list
+
+# libyaml read 100,000 open brackets for two minutes, as many anchors for more, and an unknown key was printed in full.
+hostile() { # MESSAGE LINE COUNT ITEM: the case with a line that repeats an item
+  restore
+  awk -v line="$2" -v count="$3" -v item="$4" 'BEGIN { printf "%s", line; while (count-- > 0) printf item, count; print "" }' >>"$file"
+  expect 2 "pulloff: cases/good.yaml:$1: expected a case" list
+}
+hostile '18: the file has more than 64 levels of lists and mappings' 'extra: ' 100000 '['
+hostile '18: the file has more than 64 levels of lists and mappings' 'extra: ' 100000 '{a: '
+hostile '19: the file has more than 64 levels of lists and mappings' 'extra:
+  ' 100000 '- '
+hostile '18: the file has more than 64 anchors' 'extra: [' 100000 '&a%d x, '
+hostile '82: the file has more than 64 lines that begin with %' '' 100000 '%%TAG !a%d! b:\n'
+restore
+awk 'BEGIN { while (n++ < 100000) printf "key"; print ": 1" }' | sed 's/^/? /; s/: 1$//' >>"$file"
+expect 2 'pulloff: cases/good.yaml:18: keykey*... is unknown: expected one of *' list
+check 'the message is short' test "$(wc -c <stderr)" -lt 2000
 
 restore
 cp "$file" "$PULLOFF_DATA/cases/twin.yaml"
