@@ -3,10 +3,12 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "po_memory.h"
@@ -16,14 +18,31 @@
  * filling the memory. */
 static const size_t LONGEST_FILE = (size_t)256 << 20;
 
+/* Seconds in which another program has to open the other end of a pipe. */
+enum { LONGEST_WAIT = 5 };
+
+/* Reads to the end. A pipe is read as long as a program writes it; one that nobody has opened for
+ * writing may be opened yet. */
 static po_status read_descriptor(int file, const char *path, po_text *text) {
   char bytes[1 << 14];
-  ssize_t got = 1;
+  struct stat found;
+  struct pollfd wait = {.fd = file, .events = POLLIN};
+  bool awaited = fstat(file, &found) == 0 && S_ISFIFO(found.st_mode);
   po_text_add(text, "%s", "");
-  while (got != 0 && !text->failed) {
-    got = read(file, bytes, sizeof bytes);
-    if (got < 0 && errno != EINTR)
+  while (!text->failed) {
+    const ssize_t got = read(file, bytes, sizeof bytes);
+    if (got < 0 && errno == EAGAIN)
+      (void)poll(&wait, 1, -1);
+    else if (got < 0 && errno != EINTR)
       return po_fail(PO_CANNOT_READ, "%s cannot be read: %s", path, strerror(errno));
+    if (got == 0 && !awaited)
+      break;
+    if (got == 0 && poll(&wait, 1, 1000 * LONGEST_WAIT) == 0)
+      return po_fail(PO_CANNOT_READ,
+                     "%s is a pipe that no program has opened for writing in %d s: expected a "
+                     "file, or a pipe with a writer, which is read once",
+                     path, LONGEST_WAIT);
+    awaited = awaited && got < 0;
     if (got > 0)
       po_text_add_bytes(text, bytes, (size_t)got);
     if (text->length > LONGEST_FILE)
@@ -33,7 +52,7 @@ static po_status read_descriptor(int file, const char *path, po_text *text) {
 }
 
 po_status po_file_read(const char *path, char **data, size_t *size) {
-  const int file = open(path, O_RDONLY | O_CLOEXEC);
+  const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0)
     return po_fail(PO_CANNOT_READ, "%s cannot be opened: %s", path, strerror(errno));
   po_text text = {0};
@@ -72,9 +91,26 @@ static int write_and_close(int file, const char *data, size_t size, bool flush) 
   return error;
 }
 
+/* Opens a pipe or a device for writing. A pipe without a reader cannot be opened. Returned: the
+ * descriptor, or -1 and the errno. */
+static int open_in_place(const char *path) {
+  const struct timespec pause = {.tv_nsec = 100000000};
+  for (int tenths = 10 * LONGEST_WAIT;; --tenths) {
+    const int file = open(path, O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file >= 0)
+      (void)fcntl(file, F_SETFL, 0); /* writes wait until the pipe has room */
+    if (file >= 0 || errno != ENXIO || tenths == 0)
+      return file;
+    nanosleep(&pause, NULL);
+  }
+}
+
 static po_status write_in_place(const char *path, const char *data, size_t size) {
-  const int file = open(path, O_WRONLY | O_CLOEXEC);
+  const int file = open_in_place(path);
   const int error = file < 0 ? errno : write_and_close(file, data, size, false);
+  if (file < 0 && error == ENXIO)
+    return po_fail(PO_CANNOT_WRITE, "%s cannot be written: no program has opened it for reading",
+                   path);
   if (error)
     return po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(error));
   return PO_OK;
@@ -159,6 +195,15 @@ po_status po_folder_make(const char *path) {
 bool po_path_exists(const char *path) {
   struct stat found;
   return stat(path, &found) == 0;
+}
+
+uint64_t po_path_pipe(const char *path) {
+  struct stat found;
+  if (stat(path, &found) != 0 || !S_ISFIFO(found.st_mode))
+    return 0;
+  char *named = realpath(path, NULL);
+  free(named);
+  return named ? 0 : found.st_ino;
 }
 
 bool po_path_is_same(const char *a, const char *b) {

@@ -6,18 +6,21 @@
 #include <limits.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "po_status.h"
 
-/* Reads a complete file. Returned: *data, to be freed, with a NUL after its *size bytes. Status:
- * PO_CANNOT_READ, with the name of the file and the reason (absent, a folder, no permission, too
- * long). */
+/* Reads a complete file. A pipe is read until its writer closes it, and can be read once. Returned:
+ * *data, to be freed, with a NUL after its *size bytes. Status: PO_CANNOT_READ, with the name of
+ * the file and the reason (absent, a folder, no permission, too long, a pipe that no program has
+ * opened for writing in 5 s). */
 po_status po_file_read(const char *path, char **data, size_t *size);
 
 /* Writes `size` bytes to the file `path`. The bytes are written to a temporary file in the same
  * folder and flushed to the disk; then that file is renamed to `path`. A reader finds either the
  * old content or the new one. If `path` exists and is not a regular file (/dev/stdout, a pipe), it
- * is written in place. A symbolic link is kept and its target is written. An existing file keeps
+ * is written in place; a pipe that no program has opened for reading in 5 s is refused. A
+ * symbolic link is kept and its target is written. An existing file keeps
  * its permissions. Missing folders are not created. Status: PO_CANNOT_WRITE, with the name of the
  * file and the reason; then `path` is unchanged and no temporary file remains. PO_NO_MEMORY: an
  * allocation has failed in this thread (see po_no_memory_or), and nothing is written, because the
@@ -30,6 +33,10 @@ po_status po_folder_make(const char *path);
 
 /* Returned: whether `path` exists. */
 bool po_path_exists(const char *path);
+
+/* Returned: the number of the pipe without a name to which `path` leads (/dev/stdin of a pipeline,
+ * the <(...) of a shell); 0: it leads to something else. No program can write such a pipe anew. */
+uint64_t po_path_pipe(const char *path);
 
 /* Returned: whether two paths refer to the same existing file. */
 bool po_path_is_same(const char *a, const char *b);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "po_csv.h"
+#include "po_file.h"
 #include "po_hermite.h"
 #include "po_lock.h"
 #include "po_memory.h"
@@ -390,33 +391,48 @@ po_status po_profile_table_read_again(const po_profile_table *t, po_reading read
 /* All tables that were read. */
 static po_profile_table *tables;
 
-/* The table of a file with these bytes that was read before. */
-static const po_profile_table *find(const po_csv *csv, double scale, double smooth) {
+static bool has_numbers(const po_profile_table *t, const char *path, double scale, double smooth) {
+  return strcmp(t->path, path) == 0 && t->scale == scale &&
+         (t->smooth == smooth || (isnan(t->smooth) && isnan(smooth)));
+}
+
+/* The table that was read before from a file with these bytes, or without a file from this pipe. */
+static const po_profile_table *find(const char *path, const po_csv *csv, uint64_t pipe,
+                                    double scale, double smooth) {
   const po_profile_table *t = tables;
-  while (t && (strcmp(t->path, csv->path) != 0 || strcmp(t->digest, csv->digest) != 0 ||
-               t->scale != scale || !(t->smooth == smooth || (isnan(t->smooth) && isnan(smooth)))))
+  while (t && !(has_numbers(t, path, scale, smooth) &&
+                (csv ? strcmp(t->digest, csv->digest) == 0 : pipe && t->pipe == pipe)))
     t = t->next;
   return t;
 }
 
-po_status po_profile_table_read(const char *path, double scale, double smooth,
-                                const po_profile_table **table) {
+static po_status read_table(const char *path, uint64_t pipe, double scale, double smooth,
+                            const po_profile_table **table) {
   po_csv csv;
   po_profile_table *made;
   po_status status = po_csv_read(path, path, &csv);
   if (status)
     return status;
-  po_lock_take(PO_LOCK_TABLES);
-  *table = find(&csv, scale, smooth);
+  *table = find(path, &csv, pipe, scale, smooth);
   if (!*table) {
     status = make(path, scale, smooth, &csv, &made);
     if (!status) {
+      made->pipe = pipe;
       made->next = tables;
       *table = tables = made;
     }
   }
-  po_lock_release(PO_LOCK_TABLES);
   po_csv_clear(&csv);
+  return status;
+}
+
+po_status po_profile_table_read(const char *path, double scale, double smooth,
+                                const po_profile_table **table) {
+  const uint64_t pipe = po_path_pipe(path);
+  po_lock_take(PO_LOCK_TABLES);
+  *table = find(path, NULL, pipe, scale, smooth);
+  const po_status status = *table ? PO_OK : read_table(path, pipe, scale, smooth, table);
+  po_lock_release(PO_LOCK_TABLES);
   return status;
 }
 

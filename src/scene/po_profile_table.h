@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "po_digest.h"
 #include "po_smoothing.h"
@@ -22,6 +23,7 @@ typedef struct po_profile_table {
   double smooth; /* standard deviation of the noise in the unit of the file; INFINITY: it is
                     estimated; NAN: none */
   char digest[PO_DIGEST_LENGTH];
+  uint64_t pipe; /* from which it was read (po_path_pipe); 0: a file */
   size_t rows;
   double *r, *gap; /* rows: ascending from 0; gap less that at r = 0 */
   double *slope;   /* rows: of the spline */
@@ -40,11 +42,11 @@ typedef struct po_profile_table {
 
 /* Reads a table, or finds it among those that were read: a CSV file (po_csv.h) with the columns `r`
  * and `gap`. Given: their unit in epsilon; smooth, as above. A file that was read
- * with the same bytes and numbers gives the same table. The table stays in memory until the program
- * ends, so that scenes can be copied. Thread-safe. Status: PO_CANNOT_READ, with file and line, if
- * the file cannot be read, a number is not finite, r does not start at 0 or does not rise, there
- * are fewer than 8 rows, the rows are too far from each other or too near, or the gap or its spline
- * does not rise at the end; PO_NO_MEMORY.
+ * with the same bytes and numbers gives the same table, and so does a pipe that can be read only
+ * once. The table stays in memory until the program ends, so that scenes can be copied.
+ * Thread-safe. Status: PO_CANNOT_READ, with file and line, if the file cannot be read, a number is
+ * not finite, r does not start at 0 or does not rise, there are fewer than 8 rows, the rows are too
+ * far from each other or too near, or the gap or its spline does not rise at the end; PO_NO_MEMORY.
  */
 po_status po_profile_table_read(const char *path, double scale, double smooth,
                                 const po_profile_table **table);

@@ -75,7 +75,7 @@ void po_ask_folder_unlock(po_ask_folder *f) {
 /* Reports whether a folder was made with the same key by a run that does not live any more. */
 static bool ask_folder_is_left(const char *folder, const char *key) {
   char found[PO_DIGEST_LENGTH] = "";
-  const int file = open(po_path_join(folder, KEY_FILE).text, O_RDONLY | O_CLOEXEC);
+  const int file = open(po_path_join(folder, KEY_FILE).text, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0)
     return false;
   const bool same =

@@ -44,6 +44,29 @@ else
   echo 'skipped: a full disk (needs root, and the right to mount)'
 fi
 
+# A named pipe that no other program has opened was waited for, without end, and signals did not end it.
+mkfifo pipe
+lonely='is a pipe that no program has opened for writing in 5 s: expected a file, or a pipe with a writer, which is read once'
+expect 4 "pulloff: pipe $lonely" solve --tabor 0 --profile-file pipe
+expect 4 "pulloff: ./pipe $lonely" run ./pipe --output run
+expect 4 'pulloff: pipe cannot be written: no program has opened it for reading' solve --tabor 0 --curve pipe
+# A pipe with a writer is a file. A table that was read from the standard input is not read again: follow and uncertain
+# inputs make several scenes of it.
+{ echo r,gap; seq 0 20 | awk '{ print 3 * $1 "," 0.045 * $1 * $1 }'; } >table.csv
+expect 0 '' solve --tabor 0 --profile-file table.csv
+grep pull-off stdout >from_file
+{ sleep 1; cat table.csv; } >pipe &
+expect 0 '' solve --tabor 0 --profile-file pipe
+check 'the pull-off of a table from a named pipe' grep -qxFf from_file stdout
+for words in 'solve --coupling 0.1+-0.01' 'follow --key coupling --from 0.1 --to 0.2 --points 3'; do
+  # shellcheck disable=SC2086
+  expect 0 '' $words --profile-file table.csv
+  grep digest stdout >from_file
+  # shellcheck disable=SC2086
+  cat table.csv | "$program" $words --profile-file /dev/stdin >stdout 2>stderr
+  check "$words of a table from the standard input" grep -qxFf from_file stdout
+done
+
 # A damaged record is solved again.
 expect 0 '*good: 1 point, 1 check: within' run --output run
 expect 0 '*good: 1 point, 1 check: within (kept)' run --output run
