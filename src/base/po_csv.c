@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_csv_form.h"
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_number.h"
@@ -41,46 +42,6 @@ static po_status add_header(po_csv *csv, char *line, size_t number) {
   return PO_OK;
 }
 
-/* Cuts the first cell off a line: without the blanks around it, and without the quotes of a quoted
- * cell, in which a comma is text and two quotes are one. Returned: the cell, NULL if a quote is not
- * closed or text follows it; *rest, what follows the comma, NULL after the last cell. */
-static char *cut_cell(char **rest) {
-  char *from = *rest + strspn(*rest, BLANKS), *cell = from, *to = from;
-  const bool quoted = *from == '"';
-  if (quoted) {
-    for (++from; *from && (*from != '"' || from[1] == '"'); ++from) {
-      from += *from == '"';
-      *to++ = *from;
-    }
-    if (*from++ != '"')
-      return NULL;
-  }
-  char *comma = strchr(from, ',');
-  *rest = comma ? comma + 1 : NULL;
-  if (comma)
-    *comma = '\0';
-  trim(from);
-  if (quoted && *from)
-    return NULL;
-  if (quoted)
-    *to = '\0';
-  return cell;
-}
-
-/* Splits a line into cells, of which it stores at most `most`. Returned: their number, 0 if a cell
- * is malformed. */
-static size_t split(char *line, char **cells, size_t most) {
-  size_t count = 0;
-  for (char *rest = line; rest; ++count) {
-    char *cell = cut_cell(&rest);
-    if (!cell)
-      return 0;
-    if (count < most)
-      cells[count] = cell;
-  }
-  return count;
-}
-
 static po_status refuse_quote(const po_csv *csv, size_t number) {
   return po_fail(PO_CANNOT_READ,
                  "%s:%zu: a quoted cell does not end with its quote: expected \"...\" on one line",
@@ -95,7 +56,7 @@ static po_status set_columns(po_csv *csv, char *line, size_t number) {
   csv->columns = po_allocate(most, sizeof *csv->columns);
   if (!csv->columns)
     return PO_NO_MEMORY;
-  csv->column_count = split(line, csv->columns, most);
+  csv->column_count = po_csv_split(line, ',', csv->columns, most);
   if (csv->column_count == 0)
     return refuse_quote(csv, number);
   for (size_t i = 0; i < csv->column_count; ++i) {
@@ -115,8 +76,12 @@ static po_status set_columns(po_csv *csv, char *line, size_t number) {
 }
 
 static po_status refuse_count(const po_csv *csv, size_t number, size_t count) {
-  return po_fail(PO_CANNOT_READ, "%s:%zu: the row has %zu %s: expected %zu", csv->path, number,
-                 count, count == 1 ? "cell" : "cells", csv->column_count);
+  return po_fail(PO_CANNOT_READ, "%s:%zu: the row has %zu %s: expected %zu, separated by %s%s",
+                 csv->path, number, count, count == 1 ? "cell" : "cells", csv->column_count,
+                 po_csv_separated(csv),
+                 count > csv->column_count && csv->separator == ','
+                     ? " (decimal commas need another separator)"
+                     : "");
 }
 
 static po_status add_row(po_csv *csv, char *line, size_t number) {
@@ -134,7 +99,7 @@ static po_status add_row(po_csv *csv, char *line, size_t number) {
     csv->lines = lines;
   }
   char **cells = csv->cells + csv->row_count * n;
-  const size_t count = split(line, cells, n);
+  const size_t count = po_csv_split(line, ',', cells, n);
   if (count == 0)
     return refuse_quote(csv, number);
   if (count != n)
@@ -147,17 +112,19 @@ static po_status add_row(po_csv *csv, char *line, size_t number) {
   return PO_OK;
 }
 
-/* Computes the checksum of the text without the line that contains the checksum. */
-static void compute_digest(po_csv *csv, size_t size) {
+/* Computes the checksum of the text without the line that contains the checksum. Returned: whether
+ * there is such a line. */
+static bool compute_digest(const po_text *text, char digest[PO_DIGEST_LENGTH]) {
   static const char CHECKSUM_KEY[] = "# sha256:";
-  const char *line = csv->text, *end = csv->text + size;
+  const char *line = text->data, *end = text->data + text->length;
   while (line < end && strncmp(line, CHECKSUM_KEY, sizeof CHECKSUM_KEY - 1) != 0) {
-    const char *stop = strchr(line, '\n');
+    const char *stop = memchr(line, '\n', (size_t)(end - line));
     line = stop ? stop + 1 : end;
   }
-  const char *stop = line < end ? strchr(line, '\n') : NULL;
+  const char *stop = line < end ? memchr(line, '\n', (size_t)(end - line)) : NULL;
   const char *rest = stop ? stop + 1 : end;
-  po_digest_two(csv->text, (size_t)(line - csv->text), rest, (size_t)(end - rest), csv->digest);
+  po_digest_two(text->data, (size_t)(line - text->data), rest, (size_t)(end - rest), digest);
+  return line < end;
 }
 
 /* Some programs begin UTF-8 with it. */
@@ -168,7 +135,6 @@ static po_status parse(po_csv *csv, size_t size) {
     return po_fail(PO_CANNOT_READ, "%s is empty: expected a table", csv->path);
   if (memchr(csv->text, '\0', size))
     return po_fail(PO_CANNOT_READ, "%s is not a text file: it contains a NUL byte", csv->path);
-  compute_digest(csv, size);
   po_status status = PO_OK;
   size_t number = 1, blank = 0;
   const size_t mark = strncmp(csv->text, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0
@@ -205,17 +171,34 @@ static po_status parse(po_csv *csv, size_t size) {
   return status;
 }
 
-po_status po_csv_read(const char *path, const char *name, po_csv *csv) {
-  *csv = (po_csv){0};
-  size_t size = 0;
-  po_status status = po_file_read(path, &csv->text, &size);
+const char *po_csv_separated(const po_csv *csv) {
+  return csv->separator == ';'    ? "semicolons"
+         : csv->separator == '\t' ? "tabs"
+         : csv->separator == ' '  ? "blanks"
+                                  : "commas";
+}
+
+po_status po_csv_read_columns(const char *path, const char *name, const char *const *wanted,
+                              po_csv *csv) {
+  *csv = (po_csv){.separator = ','};
+  po_text text = {0};
+  po_status status = po_file_read(path, &text.data, &text.length);
+  text.capacity = text.length + 1;
   if (!status && !(csv->path = po_copy_text(name)))
     status = PO_NO_MEMORY;
+  if (!status && text.length && !compute_digest(&text, csv->digest))
+    status = po_csv_make_plain(name, wanted, &text, &csv->separator);
+  const size_t size = text.length;
+  csv->text = text.data;
   if (!status)
     status = parse(csv, size);
   if (status)
     po_csv_clear(csv);
   return status;
+}
+
+po_status po_csv_read(const char *path, const char *name, po_csv *csv) {
+  return po_csv_read_columns(path, name, NULL, csv);
 }
 
 void po_csv_clear(po_csv *csv) {

@@ -28,15 +28,24 @@ typedef struct {
   size_t *lines; /* the line number of each row in the file, from 1 */
   size_t row_count;
   size_t column_line;
+  char separator;                /* of the cells in the file: , ; tab, or ' ' for blanks */
   char digest[PO_DIGEST_LENGTH]; /* SHA-256 of all bytes except the line `# sha256: ...` */
 } po_csv;
 
 /* Reads and checks a table. Given: `name`, the name of the file in messages. Returned: csv, to be
  * cleared with po_csv_clear. Status: PO_CANNOT_READ, with file and line, if the file cannot be read
  * or is empty, has bytes that are not text, a header line that is not `# key: value`, a repeated
- * key or column, no line of column names, a row with an empty cell or the wrong number of cells, or
- * no newline after the last line (a truncated file). */
+ * key or column, no line of column names, or a row with an empty cell or the wrong number of cells.
+ * A table with a line `# sha256:` is read strictly, and needs a newline after the last line; others
+ * may have any form of po_csv_form.h. */
 po_status po_csv_read(const char *path, const char *name, po_csv *csv);
+
+/* As po_csv_read, for a table with the wanted columns (po_csv_form.h). */
+po_status po_csv_read_columns(const char *path, const char *name, const char *const *wanted,
+                              po_csv *csv);
+
+/* Returned: what separates the cells in the file, in words. */
+const char *po_csv_separated(const po_csv *csv);
 
 /* Frees the table and sets it to zero. */
 void po_csv_clear(po_csv *csv);

@@ -7,6 +7,7 @@
 
 #include "po_load_unit.h"
 #include "po_physical.h"
+#include "po_profile_table.h"
 #include "po_quote.h"
 #include "po_si.h"
 #include "po_suggest.h"
@@ -56,7 +57,7 @@ static po_status set_key(po_given *given, int key, po_request *request) {
   if (key != PO_KEY_PROFILE_FILE)
     return po_key_set(request, key, text) ? PO_OK : refuse(given, key, "%s", PO_KEYS[key].expected);
   given->wrong = key; /* the message states what is wrong with the file */
-  const po_status status = po_profile_set_file(&request->scene.profile, text);
+  const po_status status = po_profile_use_file(&request->scene.profile, text);
   if (!status && !request->radius_given)
     request->scene.radius = po_profile_default_radius(&request->scene.profile);
   return status;
@@ -167,7 +168,12 @@ static po_status set_profile(po_given *given, double distance, po_request *reque
   if (status)
     return status;
   po_profile_rescale(&request->scene.profile, distance);
-  return set_key(given, PO_KEY_PROFILE_FILE, request);
+  status = set_key(given, PO_KEY_PROFILE_FILE, request);
+  const po_profile_table *table = request->scene.profile.table;
+  if (!status && table && table->in_metres && given->text[PO_KEY_TABLE_SCALE])
+    return refuse(given, PO_KEY_TABLE_SCALE,
+                  "it to be left out, as the names of the columns have units");
+  return status;
 }
 
 /* Adds the waves to those of the scene. Given: the unit of their lengths, in epsilon or 1 over it.

@@ -132,7 +132,7 @@ static bool set_name(po_request *request, po_key key, const char *text) {
   if (key == PO_KEY_PROFILE)
     return with_radius(request, po_profile_set(&request->scene.profile, text));
   if (key == PO_KEY_PROFILE_FILE)
-    return with_radius(request, po_profile_set_file(&request->scene.profile, text) == PO_OK);
+    return with_radius(request, po_profile_use_file(&request->scene.profile, text) == PO_OK);
   if (key == PO_KEY_WAVES)
     return po_scene_set_waves(&request->scene, text);
   const char *const *names = key == PO_KEY_SCHEME ? PO_SCHEMES : PO_GRADINGS;
@@ -153,7 +153,7 @@ static bool set_of_table(po_request *request, po_profile_parameter parameter, do
   po_profile profile = request->scene.profile;
   profile.parameter[parameter] = value;
   const bool set = !po_profile_is_table(&profile) ||
-                   po_profile_set_file(&profile, po_profile_file(&profile)) == PO_OK;
+                   po_profile_use_file(&profile, po_profile_file(&profile)) == PO_OK;
   if (set)
     request->scene.profile = profile;
   return set;

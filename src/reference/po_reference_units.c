@@ -49,16 +49,18 @@ static bool has_twin(const po_csv *table, size_t column) {
 static const char UNCERTAINTY[] = "uncertainty";
 
 /* Converts an uncertainty without a unit. Given: its column, -1: none; the one factor of all
- * columns, NAN: they differ. */
-static po_status convert_uncertainty(po_csv *table, int column, double factor, store *to) {
+ * columns, NAN: they differ; first, the first of them, without its unit, which follows its name. */
+static po_status convert_uncertainty(po_csv *table, int column, double factor, const char *first,
+                                     store *to) {
   po_csv_header *header = (po_csv_header *)po_csv_find_header(table, UNCERTAINTY);
   double value = 0;
   const bool number = header && po_number_parse(header->value, &value) && value != 0.0;
   if (isnan(factor) && (column >= 0 || number))
     return po_fail(PO_CANNOT_READ,
                    "%s:%zu: %s has no unit, and the columns have several: expected columns such as "
-                   "force_uncertainty_nN",
-                   table->path, column >= 0 ? table->column_line : header->line, UNCERTAINTY);
+                   "%s_uncertainty_%s",
+                   table->path, column >= 0 ? table->column_line : header->line, UNCERTAINTY, first,
+                   first + strlen(first) + 1);
   if (column >= 0)
     convert_column(table, (size_t)column, factor, to);
   if (number)
@@ -78,6 +80,7 @@ po_status po_reference_use_units(po_reference *reference, const po_units *units)
     return PO_NO_MEMORY;
   store to = {reference->converted};
   const int uncertainty = po_csv_find_column(table, UNCERTAINTY);
+  const char *first = NULL;
   for (size_t c = 0; c < table->column_count; ++c) {
     if (!has_unit(table->columns[c], units, &stem, &factor))
       continue;
@@ -85,8 +88,10 @@ po_status po_reference_use_units(po_reference *reference, const po_units *units)
     if (has_twin(table, c))
       return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is given twice, in two units",
                      table->path, table->column_line, table->columns[c]);
-    if (po_key_of_name(table->columns[c]) < 0) /* not of a key, which has no uncertainty */
+    if (po_key_of_name(table->columns[c]) < 0) { /* not of a key, which has no uncertainty */
       only = only == 0 || only == factor ? factor : (double)NAN;
+      first = first ? first : table->columns[c];
+    }
     convert_column(table, c, factor, &to);
   }
   for (size_t i = 0; i < table->header_count; ++i)
@@ -94,5 +99,5 @@ po_status po_reference_use_units(po_reference *reference, const po_units *units)
       table->headers[i].key[stem] = '\0';
       convert(&table->headers[i].value, factor, &to);
     }
-  return only == 0 ? PO_OK : convert_uncertainty(table, uncertainty, only, &to);
+  return only == 0 ? PO_OK : convert_uncertainty(table, uncertainty, only, first, &to);
 }

@@ -63,6 +63,21 @@ po_status po_profile_set_file(po_profile *profile, const char *path) {
   return PO_OK;
 }
 
+po_status po_profile_use_file(po_profile *profile, const char *path) {
+  po_profile read = *profile;
+  const po_status status = po_profile_set_file(&read, path);
+  if (status)
+    return status;
+  if (read.table->in_metres && read.parameter[PO_TABLE_SCALE] == 1.0)
+    return po_fail(PO_CANNOT_READ,
+                   "%s: the names of the columns have units of length, and lengths of this scene "
+                   "are in epsilon: expected a scene in SI units (--from-physical, "
+                   "scene.physical), or columns r and gap without units",
+                   path);
+  *profile = read;
+  return PO_OK;
+}
+
 const char *po_profile_name(const po_profile *profile) {
   return kind_of(profile)->name;
 }

@@ -79,6 +79,10 @@ bool po_profile_set(po_profile *profile, const char *text);
  * PO_PROFILE_PATH_LENGTH. */
 po_status po_profile_set_file(po_profile *profile, const char *path);
 
+/* The same, for a scene. Status: PO_CANNOT_READ also if the columns of the table have units of
+ * length, and the scale, 1 m in epsilon, is 1: no scene in SI units has given it. */
+po_status po_profile_use_file(po_profile *profile, const char *path);
+
 /* The name of a profile, "table" for a table; its number among all profiles;
  * whether it has a parameter. The path of a table, its name in documents, and the SHA-256 of its
  * content; "-" for other profiles. */

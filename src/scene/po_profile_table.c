@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_csv.h"
 #include "po_file.h"
 #include "po_hermite.h"
 #include "po_lock.h"
 #include "po_memory.h"
+#include "po_profile_columns.h"
 #include "po_profile_kind.h"
 
 /* A spline of every other row needs four rows. */
@@ -56,25 +56,22 @@ static po_status allocate_rows(po_profile_table *t, size_t rows) {
   return t->r && t->gap && t->slope && t->beyond && t->least ? PO_OK : PO_NO_MEMORY;
 }
 
-static po_status read_rows(const po_csv *csv, po_profile_table *t) {
-  const int r = po_csv_find_column(csv, "r"), gap = po_csv_find_column(csv, "gap");
-  if (r < 0 || gap < 0)
-    return po_fail(PO_CANNOT_READ, "%s:%zu: expected the columns r and gap, separated by a comma",
-                   csv->path, csv->column_line);
+static po_status read_rows(const po_csv *csv, const po_profile_columns *columns,
+                           po_profile_table *t) {
   const int least = isnan(t->smooth) ? LEAST_ROWS : PO_SMOOTHING_LEAST;
   if (csv->row_count < (size_t)least)
     return po_fail(PO_CANNOT_READ, "%s: %zu rows are too few for a %sprofile: expected at least %d",
                    csv->path, csv->row_count, isnan(t->smooth) ? "" : "smoothed ", least);
   po_status status = allocate_rows(t, csv->row_count);
   for (size_t k = 0; k < t->rows && !status; ++k) {
-    status = po_csv_number(csv, k, (size_t)r, &t->r[k]);
+    status = po_csv_number(csv, k, (size_t)columns->r, &t->r[k]);
     if (!status)
-      status = po_csv_number(csv, k, (size_t)gap, &t->gap[k]);
+      status = po_csv_number(csv, k, (size_t)columns->gap, &t->gap[k]);
     if (status)
       return status;
     const double given = t->r[k];
-    t->r[k] *= t->scale;
-    t->gap[k] *= t->scale;
+    t->r[k] *= t->scale * columns->r_factor;
+    t->gap[k] *= t->scale * columns->gap_factor;
     if (!isfinite(t->r[k]) || !isfinite(t->gap[k]))
       return refuse(csv, k, "the scale", t->scale, "one with which r and gap are finite");
     if (k == 0 && t->r[0] != 0.0)
@@ -281,15 +278,16 @@ static po_status join_rows(const po_csv *csv, po_profile_table *t) {
 }
 
 static po_status make(const char *path, double scale, double smooth, const po_csv *csv,
-                      po_profile_table **table) {
+                      const po_profile_columns *columns, po_profile_table **table) {
   po_profile_table *t = *table = po_allocate(1, sizeof *t);
   if (!t)
     return PO_NO_MEMORY;
   t->scale = scale;
   t->smooth = smooth;
+  t->in_metres = columns->in_metres;
   memcpy(t->digest, csv->digest, sizeof t->digest);
   t->path = po_copy_text(path);
-  po_status status = t->path ? read_rows(csv, t) : PO_NO_MEMORY;
+  po_status status = t->path ? read_rows(csv, columns, t) : PO_NO_MEMORY;
   if (!status && !isnan(smooth))
     status = smooth_rows(t);
   if (!status)
@@ -409,13 +407,14 @@ static const po_profile_table *find(const char *path, const po_csv *csv, uint64_
 static po_status read_table(const char *path, uint64_t pipe, double scale, double smooth,
                             const po_profile_table **table) {
   po_csv csv;
+  po_profile_columns columns;
   po_profile_table *made;
-  po_status status = po_csv_read(path, path, &csv);
+  po_status status = po_profile_columns_read(path, &csv, &columns);
   if (status)
     return status;
   *table = find(path, &csv, pipe, scale, smooth);
   if (!*table) {
-    status = make(path, scale, smooth, &csv, &made);
+    status = make(path, scale, smooth, &csv, &columns, &made);
     if (!status) {
       made->pipe = pipe;
       made->next = tables;

@@ -18,10 +18,11 @@
 #include "po_status.h"
 
 typedef struct po_profile_table {
-  char *path;    /* as it was given */
-  double scale;  /* the unit of the file, eps */
-  double smooth; /* standard deviation of the noise in the unit of the file; INFINITY: it is
-                    estimated; NAN: none */
+  char *path;     /* as it was given */
+  double scale;   /* the unit of the file, eps; 1 m if the names of its columns have units */
+  bool in_metres; /* whether they have */
+  double smooth;  /* standard deviation of the noise in the unit of the file; INFINITY: it is
+                     estimated; NAN: none */
   char digest[PO_DIGEST_LENGTH];
   uint64_t pipe; /* from which it was read (po_path_pipe); 0: a file */
   size_t rows;
@@ -40,13 +41,14 @@ typedef struct po_profile_table {
   struct po_profile_table *next;
 } po_profile_table;
 
-/* Reads a table, or finds it among those that were read: a CSV file (po_csv.h) with the columns `r`
- * and `gap`. Given: their unit in epsilon; smooth, as above. A file that was read
- * with the same bytes and numbers gives the same table, and so does a pipe that can be read only
- * once. The table stays in memory until the program ends, so that scenes can be copied.
- * Thread-safe. Status: PO_CANNOT_READ, with file and line, if the file cannot be read, a number is
- * not finite, r does not start at 0 or does not rise, there are fewer than 8 rows, the rows are too
- * far from each other or too near, or the gap or its spline does not rise at the end; PO_NO_MEMORY.
+/* Reads a table, or finds it among those that were read: a file (po_csv.h) with the columns `r`
+ * and `gap`. Given: their unit in epsilon, 1 m if their names have units; smooth, as above. A file
+ * that was read with the same bytes and numbers gives the same table, and so does a pipe that can
+ * be read only once. The table stays in memory until the program ends, so that scenes can be
+ * copied. Thread-safe. Status: PO_CANNOT_READ, with file and line, if the file cannot be read, a
+ * number is not finite, r does not start at 0 or does not rise, there are fewer than 8 rows, the
+ * rows are too far from each other or too near, or the gap or its spline does not rise at the end;
+ * PO_NO_MEMORY.
  */
 po_status po_profile_table_read(const char *path, double scale, double smooth,
                                 const po_profile_table **table);

@@ -19,7 +19,7 @@ refused 4 '*/reference/table.csv cannot be read: Is a directory'
 : >"$table"
 refused 4 'reference/table.csv is empty: expected a table'
 printf 'a\000b\n' >"$table"
-refused 4 'reference/table.csv is not a text file: it contains a NUL byte'
+refused 4 'reference/table.csv is not a text file: it contains a NUL byte, as *'
 sed -i 's/^0,2,0/0,2.1,0/' "$table"
 refused 4 'reference/table.csv:10: sha256 is *: expected *, the digest of all other lines*'
 sed -i 's/^# uncertainty: 0/# uncertainty: 1/' "$table"
@@ -39,9 +39,9 @@ refused 4 'reference/table.csv:11: the column force is missing'
 write_table "$table" tabor,force,force 0,2,2
 refused 4 'reference/table.csv:11: the column force is given twice'
 write_table "$table" tabor,force,approach 0,2,0 1,2
-refused 4 'reference/table.csv:13: the row has 2 cells: expected 3'
+refused 4 'reference/table.csv:13: the row has 2 cells: expected 3, separated by commas'
 write_table "$table" tabor,force,approach 0,2,0 1,2,3,4
-refused 4 'reference/table.csv:13: the row has 4 cells: expected 3'
+refused 4 'reference/table.csv:13: the row has 4 cells: expected 3, separated by commas (decimal commas need another separator)'
 write_table "$table" tabor,force,approach 0,,0
 refused 4 'reference/table.csv:12: the cell of column force is empty'
 write_table "$table" tabor,force,approach 0,two,0

@@ -172,6 +172,8 @@ def test_tables_whose_units_cannot_be_used(data):
     data.message = ("reference/table.csv:*: uncertainty has no unit, and the columns have several: expected columns such as "
                     "force_uncertainty_nN")
     judge(data, 4, "force_nN,approach_nm,uncertainty", ["7.87,-0.26,0.1"])
+    data.message = data.message.replace("force_", "load_")  # a curve has no force, and the message named it
+    judge(data, 4, "load_nN,approach_nm,uncertainty", ["7.87,-0.26,0.1"])
     data.message = "reference/table.csv:*: the column force is given twice, in two units"
     for columns in ("force_nN,force_n", "force,force_nN", "force_nN,force"):  # the last one was accepted
         judge(data, 4, columns, ["7.87,7.87e-9"])

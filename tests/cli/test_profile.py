@@ -117,6 +117,111 @@ def test_tables_as_spreadsheets_write_them():
         assert numbers_of(name) == expected, name
 
 
+BODY = [(3.0 * k, 0.045 * k * k) for k in range(21)]
+
+
+def written(separator=",", mark=".", names=("r", "gap"), rows=None, before="", after="", end="\n"):
+    """A table of the body in one of the forms of other programs."""
+    cells = rows or [[repr(r), repr(g)] for r, g in BODY]
+    lines = [separator.join(names)] + [separator.join(c.replace(".", mark) for c in row) for row in cells]
+    return before + "".join(line + end for line in lines) + after
+
+
+NUMBERED = [[str(k), repr(r), repr(g)] for k, (r, g) in enumerate(BODY)]
+SPOTS = [[repr(r), repr(g), ""] for r, g in BODY]
+FORMS = {
+    "semicolons": written(";"), "european": written(";", ","), "tabs": written("\t"), "tabs and decimal commas": written("\t", ","),
+    "blanks": written(" "), "several blanks": written("   "), "blanks and decimal commas": written("  ", ","),
+    "fixed width": "".join(f"{a:>12}{b:>20}   \n" for a, b in [("r", "gap"), *BODY]),
+    "quoted decimal commas": written(rows=[[f'"{c!r}"'.replace(".", ",") for c in row] for row in BODY]),
+    "CR": written(end="\r"), "CR LF": written(end="\r\n"), "CR and semicolons": written(";", ",", end="\r"),
+    "no last newline": written().rstrip("\n"), "semicolons, no last newline": written(";").rstrip("\n"),
+    "UTF-16 LE": written().encode("utf-16"), "UTF-16 BE": b"\xfe\xff" + written().encode("utf-16-be"),
+    "UTF-16, European, CR LF": written(";", ",", end="\r\n").encode("utf-16"),
+    "UTF-16, tabs, text before": written("\t", before="Höhe in µm 😀\n").encode("utf-16"),
+    "byte order mark": "\ufeff" + written(";", ","),
+    "pandas": written(names=("", "r", "gap"), rows=NUMBERED), "pandas, European": written(";", ",", names=("", "r", "gap"), rows=NUMBERED),
+    "savetxt": written(names=("# r", "gap")), "savetxt, blanks": written(" ", names=("#r", "gap")),
+    "savetxt, header and footer": written(" ", names=("# r", "gap"), before="# made by a script\n# a, b\n", after="# end\n"),
+    "text before": written(before="Scan Parameters\nLength,1500.0 um\n\nScan Data\n"),
+    "pairs before": written(before="Parameter,Value\nLength,1500\nWidth,20.5\n\n"),
+    "a sentence before": written(before="The gap and r gap of a tip\nr and gap\n"),
+    "text in Latin-1 before": written(";", ",", before="L\xe4nge;1500 \xb5m\n").encode("latin-1"),
+    "comments before": written(before="# Instrument X\n# Time: 10:00\n# Time: 10:05\n"),
+    "separator at the end": written(";", names=("r", "gap", ""), rows=SPOTS), "only of rows": written(";", rows=SPOTS),
+    "other columns": written("\t", ",", names=("time", "gap", "note", "r"), rows=[["1.5", g, "a b", r] for r, g in [
+        (repr(r), repr(g)) for r, g in BODY]]),
+    "exponents": written(";", ",", rows=[[f"{r:.17E}", f"{g:.17e}"] for r, g in BODY]),
+    "a minus of typesetters": written(";", ",", names=("x", "r", "gap"), rows=[["\u22121.5", *row[1:]] for row in NUMBERED])}
+
+
+def without(value, *keys):
+    """A document without the members of these names."""
+    if isinstance(value, dict):
+        return {key: without(item, *keys) for key, item in value.items() if key not in keys}
+    return [without(item, *keys) for item in value] if isinstance(value, list) else value
+
+
+def solved(name):
+    """The document of a solve, to the last bit, without its times and what names the bytes of the file."""
+    return without(document("solve --coupling 0.1 --profile-file", name), "sha256", "digest", "seconds", "profile_file")
+
+
+def test_tables_as_instruments_write_them():
+    """One body in many forms has one result. Messages pointed elsewhere: to the number of cells, a NUL byte, a truncated file."""
+    pathlib.Path("plain.csv").write_text(written())
+    expected = solved("plain.csv")
+    for name, text in FORMS.items():
+        pathlib.Path("form.txt").write_bytes(text if isinstance(text, bytes) else text.encode())
+        assert solved("form.txt") == expected, name
+    assert len(FORMS) > 25
+
+
+@pytest.mark.parametrize("message, text", [
+    ("2: the row has 4 cells: expected 2, separated by commas (decimal commas need another separator)", written(",", ",")),
+    ("5: the row has 1 cell: expected 2, separated by semicolons", written(";").replace("9.0;", "9.0,")),
+    ("4: 6,0 has a decimal comma, and 0.0 on line 2 a decimal point: expected the same in all rows", written(";").replace("6.0;", "6,0;")),
+    ("3: 1,500 has a decimal comma or a comma between thousands, and no other number shows which: expected decimal points",
+     written(";", rows=[["0", "0"], *[[f"{k},500", f"{k * k},250"] for k in range(1, 20)]])),
+    (" is text in UTF-32: expected UTF-8 or UTF-16", written().encode("utf-32")),
+    (" is not a text file: it contains a NUL byte, as UTF-16 without a byte order mark does: expected UTF-8", written().encode("utf-16-le")),
+    (" is text in UTF-16 with an odd number of bytes: the file is truncated", written().encode("utf-16")[:-1]),
+    ("1: of the columns r and gap, with or without a unit (r_um, gap_nm), both are missing in this line of names, which are separated by "
+     "semicolons", written(";", names=("radius", "height"))),
+    ("1: of the columns r and gap, *, gap is missing in this line of names, which are separated by tabs", written("\t", names=("r", "height"))),
+    ("1: the column 1 is named 0.0: expected a line with the names of the columns before the rows", written()[6:]),
+    ("6: gap is 0.72 nm: expected a finite number", written(";").replace("0.72", "0.72 nm")),
+    ("22: gap is 1.234,5: expected a finite number", written(";", ",").replace(";18,0", ";1.234,5")),
+    ("1: the byte \\xb5 is a control character or not UTF-8: expected text", "r;gap;l\xb5\n".encode("latin-1") + written(";").encode()[6:]),
+    ("23: the last line has no newline: the file is truncated", "# sha256: 0\n" + written()[:-1]),
+    ("1: the columns are r_um and gap: expected a unit in both names, or in none", written(names=("r_um", "gap"))),
+    ("1: the column gap is given in several units: expected one", written(names=("r_m", "gap_nm", "gap_m"), rows=NUMBERED)),
+    (" the names of the columns have units of length, and lengths of this scene are in epsilon: expected a scene in SI units *",
+     written(names=("r_nm", "gap_nm")))])
+def test_tables_in_forms_that_are_refused(message, text):
+    pathlib.Path("form.txt").write_bytes(text if isinstance(text, bytes) else text.encode())
+    message = message.replace("[", "[[]")
+    expect(4, "pulloff: form.txt:" + message if message[0] != " " or "names of" in message else "pulloff: form.txt" + message,
+           "solve --coupling 0.1 --profile-file form.txt")
+
+
+def test_units_in_the_names_of_columns():
+    """Units are those of the columns, whatever the other; a scale beside them is refused; the printed command repeats the scene."""
+    ball = [(r * 3e-10, g * 3e-10) for r, g in BODY]
+    pathlib.Path("metres.csv").write_text(written(rows=[[repr(r), repr(g)] for r, g in ball]))
+    words = "--radius-m 3e-8" + SI + " --profile-file "
+    expected = document("solve " + words + "metres.csv")
+    named = {"r_um,gap_nm": (1e6, 1e9), "r (µm),gap [nm]": (1e6, 1e9), "r/nm,gap/pm": (1e9, 1e12), "r_\u03bcm,gap_m": (1e6, 1.0),
+             "r_mm,gap_um": (1e3, 1e6)}
+    for names, (a, b) in named.items():
+        pathlib.Path("units.csv").write_text(names + "\n" + "".join(f"{r * a!r},{g * b!r}\n" for r, g in ball))
+        found = document("solve " + words + "units.csv")
+        near(found, expected)
+        assert math.isclose(found["physical"]["pull_off"]["force_n"], expected["physical"]["pull_off"]["force_n"], rel_tol=1e-9), names
+    expect(2, "pulloff: --table-scale is 1e-9: expected it to be left out, as the names of the columns have units",
+           "solve --table-scale 1e-9 " + words + "units.csv")
+
+
 @pytest.mark.parametrize("given", ["--coupling 0.07", "--coupling 0.0833333333333333", "--tabor 0.3"])
 def test_the_command_in_a_table_repeats_the_solve(given):
     expect(0, "", f"solve {given} --profile cone:0.5 --want preload --staircase first.csv")

@@ -249,9 +249,10 @@ static const struct {
 } DAMAGED[] = {
     {"", "t.csv is empty: expected a table"},
     {"# what: x\n", "t.csv:2: there is no line of column names"},
-    {"a,b\n1\n", "t.csv:2: the row has 1 cell: expected 2"},
-    {"a,b\n1,2,3\n", "t.csv:2: the row has 3 cells: expected 2"},
-    {"a,b\n1,2\n\n3,4\n", "t.csv:3: the row has 0 cells: expected 2"},
+    {"a,b\n1\n", "t.csv:2: the row has 1 cell: expected 2, separated by commas"},
+    {"a,b\n1,2,3\n", "t.csv:2: the row has 3 cells: expected 2, separated by commas (decimal "
+                     "commas need another separator)"},
+    {"a,b\n1,2\n\n3,4\n", "t.csv:3: the row has 0 cells: expected 2, separated by commas"},
     {"a,b\n1,\"2\n", "t.csv:2: a quoted cell does not end with its quote: expected \"...\" on one "
                      "line"},
     {"\"a\"b,c\n1,2\n",
@@ -259,10 +260,10 @@ static const struct {
      "line"},
     {"a,b\n1,\n", "t.csv:2: the cell of column b is empty"},
     {"a,b\n,1\n", "t.csv:2: the cell of column a is empty"},
-    {"\xEF\xBB\xBF", "t.csv:1: there is no line of column names"},
+    {"\xEF\xBB\xBF", "t.csv:2: there is no line of column names"},
     {"a,a\n1,2\n", "t.csv:1: the column a is given twice"},
     {"a,\n1,2\n", "t.csv:1: column 2 has no name"},
-    {"a,b\n1,2", "t.csv:2: the last line has no newline: the file is truncated"},
+    {"# sha256: 0\na,b\n1,2", "t.csv:3: the last line has no newline: the file is truncated"},
     {"# x\na\n1\n", "t.csv:1: '# x' is not a header: expected '# key: value'"},
     {"# x: 1\n# x: 2\na\n1\n", "t.csv:2: the header x is given twice"},
 };

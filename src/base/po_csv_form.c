@@ -1,0 +1,370 @@
+#include "po_csv_form.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_encoding.h"
+#include "po_memory.h"
+#include "po_number.h"
+#include "po_quote.h"
+
+static const char BLANKS[] = " \t";
+static const char SEPARATORS[] = ",;\t ";
+
+/* More columns are not looked at for the form of a table. */
+enum { MOST_CELLS = 4096 };
+
+typedef struct {
+  char *at;
+  size_t length;
+} span;
+
+typedef struct {
+  const char *name;          /* of the file */
+  const char *const *wanted; /* see po_csv_make_plain */
+  span *lines;
+  size_t count;
+  size_t names; /* the line of names; count: none was found */
+  char separator;
+  bool decimal_comma;
+  size_t columns;
+  char *scratch, *cells[MOST_CELLS]; /* those of the line that was split last */
+} form;
+
+static size_t blanks_at(const char *text, char separator) {
+  return strspn(text, separator == '\t' ? " " : BLANKS);
+}
+
+/* Cuts the first cell off a line. Returned: the cell, NULL if it is malformed; *rest, what follows
+ * the separator, NULL after the last cell. */
+static char *cut_cell(char **rest, char separator) {
+  char *from = *rest + blanks_at(*rest, separator), *cell = from, *to = from;
+  const bool quoted = *from == '"';
+  if (quoted) {
+    for (++from; *from && (*from != '"' || from[1] == '"'); ++from) {
+      from += *from == '"';
+      *to++ = *from;
+    }
+    if (*from++ != '"')
+      return NULL;
+  }
+  char *stop = separator == ' ' ? strpbrk(from, BLANKS) : strchr(from, separator);
+  *rest = stop ? stop + 1 : NULL;
+  if (stop)
+    *stop = '\0';
+  if (separator == ' ' && stop && !(*rest)[strspn(*rest, BLANKS)])
+    *rest = NULL; /* blanks at the end */
+  size_t length = strlen(from);
+  while (length > 0 && (from[length - 1] == ' ' || from[length - 1] == '\t'))
+    --length;
+  from[length] = '\0';
+  if (quoted && *from)
+    return NULL;
+  if (quoted)
+    *to = '\0';
+  return cell;
+}
+
+size_t po_csv_split(char *line, char separator, char **cells, size_t most) {
+  size_t count = 0;
+  for (char *rest = line; rest; ++count) {
+    char *cell = cut_cell(&rest, separator);
+    if (!cell)
+      return 0;
+    if (count < most)
+      cells[count] = cell;
+  }
+  return count;
+}
+
+/* -- Lines -- */
+
+static po_status find_lines(po_text *text, form *f) {
+  size_t longest = 0, count = 0;
+  for (const char *c = text->data; (c = strchr(c, '\n')); ++c)
+    ++count;
+  f->lines = po_allocate(count + 1, sizeof *f->lines);
+  if (!f->lines)
+    return PO_NO_MEMORY;
+  for (char *at = text->data, *stop; (stop = strchr(at, '\n')); at = stop + 1) {
+    size_t length = (size_t)(stop - at);
+    while (length && at[length - 1] == '\r')
+      --length;
+    longest = length > longest ? length : longest;
+    f->lines[f->count++] = (span){at, length};
+  }
+  static const char MARK[] = "\xEF\xBB\xBF";
+  if (f->count && strncmp(f->lines[0].at, MARK, strlen(MARK)) == 0) {
+    f->lines[0].at += strlen(MARK);
+    f->lines[0].length -= strlen(MARK);
+  }
+  f->scratch = po_allocate(longest + 1, 1);
+  return f->scratch ? PO_OK : PO_NO_MEMORY;
+}
+
+/* -- Names, separator, decimal mark -- */
+
+static bool is_blank(const span *line) {
+  return strspn(line->at, " \t\r") >= line->length;
+}
+
+static bool is_comment(const span *line) {
+  return line->length && *line->at == '#';
+}
+
+/* Splits a line, without the # before names, into cells. Returned: their number; 0: malformed, or
+ * too many. */
+static size_t split(form *f, size_t k, char separator) {
+  const span *line = &f->lines[k];
+  const size_t skip = is_comment(line);
+  memcpy(f->scratch, line->at + skip, line->length - skip);
+  f->scratch[line->length - skip] = '\0';
+  const size_t count = po_csv_split(f->scratch, separator, f->cells, MOST_CELLS);
+  return count <= MOST_CELLS ? count : 0;
+}
+
+/* Writes the number in a cell with a point and an ASCII minus. Given: mark, the decimal mark.
+ * Returned: whether it is one with this mark. */
+static bool write_number(const char *cell, char mark, char *number, size_t size) {
+  static const char MINUS[] = "\xE2\x88\x92"; /* U+2212 */
+  size_t used = 0;
+  bool marked = false;
+  for (const char *c = cell; *c && used + 1 < size; ++c) {
+    const bool minus = strncmp(c, MINUS, strlen(MINUS)) == 0;
+    if (*c == (mark == '.' ? ',' : '.'))
+      return false;
+    marked = marked || *c == mark;
+    number[used++] = minus ? '-' : *c == mark ? '.' : *c;
+    c += minus ? strlen(MINUS) - 1 : 0;
+  }
+  number[used] = '\0';
+  double value = 0;
+  return marked && po_number_parse(number, &value);
+}
+
+static bool is_number(const char *cell, char mark) {
+  char number[64];
+  double value = 0;
+  return po_number_parse(cell, &value) || write_number(cell, mark, number, sizeof number);
+}
+
+static bool begins_with(const char *name, const char *word) {
+  const size_t length = strlen(word);
+  return strncmp(name, word, length) == 0 && strchr("_ ([/", name[length]);
+}
+
+/* Whether the cells that were split last are names of columns. */
+static bool are_names(const form *f, size_t count, bool wanted) {
+  for (size_t i = 0; i < count; ++i)
+    if (is_number(f->cells[i], ',') || (!*f->cells[i] && i > 0 && i + 1 < count))
+      return false;
+  for (const char *const *word = wanted ? f->wanted : NULL; word && *word; ++word) {
+    size_t i = 0;
+    while (i < count && !begins_with(f->cells[i], *word))
+      ++i;
+    if (i == count)
+      return false;
+  }
+  return count > 1;
+}
+
+/* Whether a line is a row of so many cells, one of which is a number. */
+static bool is_row(form *f, size_t k, char separator, size_t columns) {
+  const size_t count = split(f, k, separator);
+  bool number = false;
+  for (size_t i = 0; i < count; ++i)
+    number = number || is_number(f->cells[i], '.') || is_number(f->cells[i], ',');
+  return number && (count == columns || (count == columns + 1 && !*f->cells[columns]));
+}
+
+/* Finds the line of names. Given: wanted, whether it has these names; row, whether a row follows.
+ */
+static bool find_names(form *f, bool wanted, bool row) {
+  size_t next = 0; /* the next line that is neither blank nor a comment */
+  for (size_t k = 0; k < f->count; ++k) {
+    next = next > k ? next : k + 1;
+    while (next < f->count && (is_blank(&f->lines[next]) || is_comment(&f->lines[next])))
+      ++next;
+    if (row && next == f->count)
+      return false;
+    if (!row && is_comment(&f->lines[k]))
+      continue;
+    for (const char *separator = SEPARATORS; *separator; ++separator) {
+      size_t count = split(f, k, *separator);
+      if (!are_names(f, count, wanted))
+        continue;
+      count -= count > 2 && !*f->cells[count - 1];
+      if (row && !is_row(f, next, *separator, count))
+        continue;
+      f->names = k;
+      f->separator = *separator;
+      f->columns = count;
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Whether a number with a comma may be one with separated thousands: 1,234. */
+static bool may_be_thousands(const char *cell) {
+  cell += strspn(cell, "+-");
+  const size_t whole = strspn(cell, "0123456789");
+  return whole >= 1 && whole <= 3 && *cell != '0' && strlen(cell) == whole + 4 &&
+         strspn(cell + whole + 1, "0123456789") == 3;
+}
+
+static po_status find_decimal_mark(form *f) {
+  char number[64], shown[2][64] = {"", ""}; /* the first with a point, with a comma */
+  size_t line[2] = {0};
+  bool proven = false;
+  for (size_t k = f->names + 1; k < f->count; ++k) {
+    const size_t count = split(f, k, f->separator);
+    for (size_t i = 0; i < count; ++i)
+      for (int comma = 0; comma < 2; ++comma) {
+        if (!write_number(f->cells[i], comma ? ',' : '.', number, sizeof number))
+          continue;
+        proven = proven || (comma && !may_be_thousands(f->cells[i]));
+        if (!line[comma])
+          po_quote_text(f->cells[i], shown[comma], sizeof shown[comma]);
+        line[comma] = line[comma] ? line[comma] : k + 1;
+      }
+  }
+  f->decimal_comma = line[1];
+  if (line[0] && line[1])
+    return po_fail(PO_CANNOT_READ,
+                   "%s:%zu: %s has a decimal comma, and %s on line %zu a decimal point: expected "
+                   "the same in all rows",
+                   f->name, line[1], shown[1], shown[0], line[0]);
+  if (line[1] && !proven)
+    return po_fail(PO_CANNOT_READ,
+                   "%s:%zu: %s has a decimal comma or a comma between thousands, and no other "
+                   "number shows which: expected decimal points",
+                   f->name, line[1], shown[1]);
+  return PO_OK;
+}
+
+/* -- Writing -- */
+
+static void add_cell(po_text *text, const char *cell, bool first) {
+  const size_t length = strlen(cell);
+  po_text_add(text, first ? "" : ",");
+  if (length && !strpbrk(cell, ",\"") && !strchr(BLANKS, cell[0]) &&
+      !strchr(BLANKS, cell[length - 1])) {
+    po_text_add_bytes(text, cell, length);
+    return;
+  }
+  po_text_add(text, "\"");
+  for (const char *c = cell; *c; ++c)
+    po_text_add(text, *c == '"' ? "\"\"" : "%c", *c);
+  po_text_add(text, "\"");
+}
+
+/* A wanted name with its unit, r (µm), r [um], r/um, becomes r_um. */
+static void write_name(const form *f, const char *cell, char *name, size_t size) {
+  size_t stem = 0, used = 0;
+  for (const char *const *word = f->wanted; word && *word; ++word)
+    if (begins_with(cell, *word))
+      stem = strlen(*word);
+  for (const char *c = cell; *c && used + 2 < size; ++c) {
+    const bool micro = strncmp(c, "\u00B5", 2) == 0 || strncmp(c, "\u03BC", 2) == 0;
+    if (stem && (size_t)(c - cell) >= stem && strchr("_ ()[]/", *c))
+      continue;
+    if (stem && (size_t)(c - cell) >= stem && used == stem)
+      name[used++] = '_';
+    name[used++] = micro && stem ? 'u' : *c;
+    c += micro && stem;
+  }
+  name[used] = '\0';
+}
+
+static void add_names(form *f, po_text *text) {
+  const size_t count = split(f, f->names, f->separator);
+  for (size_t i = 0; i < f->columns && i < count; ++i) {
+    char name[200];
+    write_name(f, f->cells[i], name, sizeof name);
+    const bool whole = strlen(f->cells[i]) + 2 < sizeof name;
+    add_cell(text, i == 0 && !*name ? "index" : whole ? name : f->cells[i], i == 0);
+  }
+}
+
+/* Adds a row; one that is malformed stays as it is, and is refused by the reader. */
+static void add_row(form *f, size_t k, po_text *text) {
+  size_t count = split(f, k, f->separator);
+  count -= count == f->columns + 1 && !*f->cells[f->columns];
+  for (size_t i = 0; i < count; ++i) {
+    char number[64];
+    const char mark = f->decimal_comma ? ',' : '.';
+    const bool is = write_number(f->cells[i], mark, number, sizeof number);
+    add_cell(text, is ? number : f->cells[i], i == 0);
+  }
+  if (!count)
+    po_text_add_bytes(text, f->lines[k].at, f->lines[k].length);
+}
+
+/* Adds a line before the names. */
+static void add_preamble(const form *f, size_t k, po_text *text) {
+  const span *line = &f->lines[k];
+  if (f->wanted || is_blank(line))
+    return;
+  if (!is_comment(line))
+    po_text_add(text, "# line %zu: ", k + 1);
+  po_text_add_bytes(text, line->at, line->length);
+}
+
+/* Whether the names are where a plain table has them. */
+static bool is_plain(const form *f) {
+  if (f->separator != ',' || f->decimal_comma || is_comment(&f->lines[f->names]))
+    return false;
+  for (size_t k = 0; k < f->names; ++k)
+    if (f->wanted || !(is_comment(&f->lines[k]) || is_blank(&f->lines[k])))
+      return false;
+  return true;
+}
+
+static void write(form *f, po_text *text) {
+  const bool plain = is_plain(f);
+  size_t end = f->count; /* comments after the rows are left out */
+  while (f->wanted && end > f->names + 1 &&
+         (is_blank(&f->lines[end - 1]) || is_comment(&f->lines[end - 1])))
+    --end;
+  for (size_t k = 0; k < f->count; ++k) {
+    const span *line = &f->lines[k];
+    if (k == f->names)
+      add_names(f, text);
+    else if (k < f->names)
+      add_preamble(f, k, text);
+    else if (k < end && plain && !strchr(SEPARATORS, line->at[line->length ? line->length - 1 : 0]))
+      po_text_add_bytes(text, line->at, line->length);
+    else if (k < end && !is_blank(line))
+      add_row(f, k, text);
+    po_text_add(text, "\n");
+  }
+}
+
+po_status po_csv_make_plain(const char *name, const char *const *wanted, po_text *text,
+                            char *separator) {
+  po_status status = po_encoding_decode(name, text);
+  form *f = status ? NULL : po_allocate(1, sizeof *f);
+  if (!f)
+    return status ? status : PO_NO_MEMORY;
+  *f = (form){.name = name, .wanted = wanted, .separator = ','};
+  status = find_lines(text, f);
+  const bool found =
+      !status && ((wanted && (find_names(f, true, true) || find_names(f, true, false))) ||
+                  find_names(f, false, true));
+  if (found)
+    status = find_decimal_mark(f);
+  if (found && !status) {
+    po_text plain = {0};
+    write(f, &plain);
+    po_text_clear(text);
+    *text = plain;
+    status = plain.failed ? PO_NO_MEMORY : PO_OK;
+  }
+  *separator = f->separator;
+  free(f->lines);
+  free(f->scratch);
+  free(f);
+  return status;
+}

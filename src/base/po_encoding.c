@@ -1,0 +1,63 @@
+#include "po_encoding.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+static void add_character(po_text *text, unsigned long code) {
+  const int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+  static const unsigned char FIRST[] = {0, 0xC0, 0xE0, 0xF0};
+  char bytes[4] = {(char)(FIRST[more] | (code >> (6 * more)))};
+  for (int k = 1; k <= more; ++k)
+    bytes[k] = (char)(0x80 | ((code >> (6 * (more - k))) & 0x3F));
+  po_text_add_bytes(text, bytes, (size_t)more + 1);
+}
+
+/* A surrogate without its partner becomes U+FFFD, as is usual. */
+static void decode_utf16(po_text *text, bool big) {
+  po_text utf8 = {0};
+  const unsigned char *byte = (const unsigned char *)text->data;
+  unsigned long high = 0;
+  for (size_t i = 2; i + 1 < text->length; i += 2) {
+    const unsigned long unit = byte[i + big] | (unsigned long)byte[i + !big] << 8;
+    const bool second = unit >= 0xDC00 && unit < 0xE000;
+    if (high && !second)
+      add_character(&utf8, 0xFFFD);
+    if (unit >= 0xD800 && unit < 0xDC00)
+      high = unit;
+    else {
+      add_character(&utf8, !second ? unit
+                           : high  ? 0x10000 + ((high - 0xD800) << 10) + (unit - 0xDC00)
+                                   : 0xFFFD);
+      high = 0;
+    }
+  }
+  po_text_add(&utf8, "%s", "");
+  po_text_clear(text);
+  *text = utf8;
+}
+
+po_status po_encoding_decode(const char *name, po_text *text) {
+  const char *t = text->data;
+  const bool wide =
+      text->length >= 4 && (memcmp(t, "\xFF\xFE\0\0", 4) == 0 || memcmp(t, "\0\0\xFE\xFF", 4) == 0);
+  if (wide)
+    return po_fail(PO_CANNOT_READ, "%s is text in UTF-32: expected UTF-8 or UTF-16", name);
+  const bool little = text->length >= 2 && memcmp(t, "\xFF\xFE", 2) == 0;
+  const bool big = text->length >= 2 && memcmp(t, "\xFE\xFF", 2) == 0;
+  if ((little || big) && text->length % 2)
+    return po_fail(PO_CANNOT_READ,
+                   "%s is text in UTF-16 with an odd number of bytes: the file is truncated", name);
+  if (little || big)
+    decode_utf16(text, big);
+  else if (text->length && memchr(t, '\0', text->length))
+    return po_fail(PO_CANNOT_READ,
+                   "%s is not a text file: it contains a NUL byte, as UTF-16 without a byte order "
+                   "mark does: expected UTF-8",
+                   name);
+  if (!text->failed && !strchr(text->data, '\n'))
+    for (char *end = text->data; (end = strchr(end, '\r'));)
+      *end = '\n';
+  if (!text->failed && text->length && text->data[text->length - 1] != '\n')
+    po_text_add(text, "\n");
+  return text->failed ? PO_NO_MEMORY : PO_OK;
+}

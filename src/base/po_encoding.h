@@ -1,0 +1,14 @@
+/* Text in the encodings of other programs. */
+#ifndef PO_ENCODING_H
+#define PO_ENCODING_H
+
+#include "po_status.h"
+#include "po_text.h"
+
+/* Makes UTF-8 of UTF-16 with a byte order mark, line feeds of lone carriage returns, and adds a
+ * line feed at the end. Other text, and invalid UTF-8, stays as it is. Given: `name` of the file in
+ * messages. Status: PO_CANNOT_READ (UTF-32, an odd number of bytes of UTF-16, a NUL byte),
+ * PO_NO_MEMORY. */
+po_status po_encoding_decode(const char *name, po_text *text);
+
+#endif
