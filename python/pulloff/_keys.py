@@ -24,6 +24,9 @@ class Keys(TypedDict, total=False):
     punch_r: Number
     truncated_b: Number
     truncated_r: Number
+    exact_sphere_r: Number
+    hyperboloid_t: Number
+    hyperboloid_b: Number
     table_scale: Number
     smooth: Number
     profile_file: Path

@@ -18,8 +18,8 @@ struct po_continuation {
   double inner_at; /* value of the arclength functional at `inner`, which is on the current mesh;
                       NAN: none */
   bool has_previous, ended;
-  bool back;       /* on the reverse trace */
-  int beyond;      /* number of special points of the last step beyond the end of the trace */
+  bool back;  /* on the reverse trace */
+  int beyond; /* number of special points of the last step beyond the end of the trace */
   double first_approach, farthest; /* approach and least gap at the first point */
   int unstable_modes;
   double deepest; /* deepest minimum of the load so far */

@@ -120,7 +120,7 @@ static po_law_closeness closeness(const po_law *law, double gap) {
   const po_base base = po_base_of(x);
   const double xm = po_power(base, m), xn = po_power(base, n);
   const double size = factor(law) * (xm / (m - 1.0) - xn / (n - 1.0)) / x; /* |phi| */
-  if (!(size > 0.0)) /* underflow */
+  if (!(size > 0.0))                                                       /* underflow */
     return (po_law_closeness){0.0, 0.0};
   const double value = po_pow(size, g);
   return (po_law_closeness){value, -g * value / size * factor(law) * (xm - xn)};
