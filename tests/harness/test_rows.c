@@ -179,7 +179,8 @@ static void same_stairs(const po_staircase *a, const po_staircase *b) {
       const po_cycle *c = &s->cycle[j], *d = &t->cycle[j];
       same_place(&c->preload, &d->preload);
       SAME(po_cycle, c, d, WITHOUT(po_cycle, preload), WITHOUT(po_cycle, loss.moved),
-           WITHOUT(po_cycle, loss.size), WITHOUT(po_cycle, loss.doubt));
+           WITHOUT(po_cycle, loss.size), WITHOUT(po_cycle, loss.of_held),
+           WITHOUT(po_cycle, loss.doubt));
     }
   }
 }

@@ -290,14 +290,14 @@ class Laws(unittest.TestCase):
 
 class Gnuplot(unittest.TestCase):
     def test_values_as_gnuplot_writes_them(self):
-        self.assertEqual(gnuplot.assignment("a", "{/:Italic z} = 5 %"), "a = '{/:Italic z} = 5 %'")
+        self.assertEqual(gnuplot.assignment("a", gnuplot.Enhanced("{/:Italic z} = 5 %")), "a = '{/:Italic z} = 5 %'")
         self.assertEqual(gnuplot.assignment("b", [1.5, 2]), "array b[2] = [1.5, 2]")
         self.assertEqual(gnuplot.assignment("c", []), "array c[1]")
 
     def test_gnuplot_reads_every_text_as_it_was(self):
         """An apostrophe after a backslash ended the string; a word behind @ was replaced, as a macro."""
         texts = ["it's", "a\\'b\\\\''0", "@x a @print", "`id` $y", '"q"1', "{/:Bold b}_^~ %d #z", "two\nlines", "µm"]
-        script = "x = 'macro'\n" + gnuplot.assignment("text", texts) + f"\ndo for [k = 1:{len(texts)}] {{ print text[k].'|' }}\n"
+        script = "x = 'macro'\n" + gnuplot.assignment("text", [gnuplot.Enhanced(text) for text in texts]) + f"\ndo for [k = 1:{len(texts)}] {{ print text[k].'|' }}\n"
         done = subprocess.run([gnuplot.require()], input=script, stderr=subprocess.PIPE, text=True, check=True,
                               env=dict(os.environ, LC_ALL="C.UTF-8"))
         self.assertEqual(done.stderr, "".join(text + "|\n" for text in texts))

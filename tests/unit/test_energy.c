@@ -169,11 +169,12 @@ typedef struct {
 
 static double energy_over_logarithm(double log_r, void *data) {
   const initial_gap *g = data;
-  const double r = exp(log_r);
-  return po_law_energy(&g->scene->law, po_initial_gap(g->scene, r) - g->approach) * r * r;
+  const double r = exp(log_r), gap = po_initial_gap(g->scene, r);
+  return gap < 1e149 ? po_law_energy(&g->scene->law, gap - g->approach) * r * r : 0.0;
 }
 
-/* The integral of phi over the initial gap, over the logarithm of the radius from 1e-4 to 1e87. */
+/* The integral of phi over the initial gap, over the logarithm of the radius from 1e-4 to 1e87, or
+ * to the radius at which the gap, which is not let overflow, ends to grow. */
 static double energy_of_initial_gap(const po_scene *scene, double approach) {
   initial_gap g = {scene, approach};
   double sum = 0.0;
