@@ -11,6 +11,7 @@
 #include "po_memory.h"
 #include "po_profile_columns.h"
 #include "po_profile_kind.h"
+#include "po_profile_thin.h"
 
 /* A spline of every other row needs four rows. */
 enum { LEAST_ROWS = 8 };
@@ -191,7 +192,7 @@ static const double ROUNDED = 1e-6;
 /* Part of the last gap that counts as rounding where the gap falls. */
 static const double ROUNDED_GAP = 1e-12;
 
-static void derive(po_profile_table *t) {
+static void derive_numbers(po_profile_table *t) {
   const size_t last = t->rows - 1;
   const double end = t->r[last];
   t->growth = end * t->slope[last] / t->gap[last];
@@ -225,8 +226,35 @@ void po_profile_table_free(po_profile_table *t) {
   free(t->beyond);
   free(t->least);
   free(t->measured);
+  po_profile_table_free(t->thin);
   po_smoothing_free(&t->smoothing);
   free(t);
+}
+
+/* The spline on fewer knots, if few are enough. */
+static po_status thin_rows(po_profile_table *t) {
+  if (t->rows <= PO_THIN_LEAST)
+    return PO_OK;
+  size_t *const kept = po_allocate(t->rows, sizeof *kept);
+  po_profile_table *const thin = t->thin = po_allocate(1, sizeof *thin);
+  po_status status = kept && thin ? PO_OK : PO_NO_MEMORY;
+  if (!status)
+    status = allocate_rows(thin, po_profile_thin(t, kept));
+  for (size_t k = 0; !status && k < thin->rows; ++k) {
+    thin->r[k] = t->r[kept[k]];
+    thin->gap[k] = t->gap[kept[k]];
+    thin->slope[k] = t->slope[kept[k]];
+  }
+  if (!status)
+    thin->growth = t->growth;
+  free(kept);
+  return status;
+}
+
+/* Derives all that follows from the rows and the slopes. */
+static po_status derive(po_profile_table *t) {
+  derive_numbers(t);
+  return thin_rows(t);
 }
 
 /* A stated deviation that is wrong by more than this factor is refused. */
@@ -296,10 +324,10 @@ static po_status make(const char *path, double scale, double smooth, const po_cs
     status = join_rows(csv, t);
   if (!status)
     status = check_end(csv, t);
-  if (!status) {
-    derive(t);
+  if (!status)
+    status = derive(t);
+  if (!status)
     return PO_OK;
-  }
   po_profile_table_free(t);
   *table = NULL;
   return status;
@@ -322,10 +350,10 @@ static po_status begin_copy(const po_profile_table *t, po_profile_table **copy) 
 
 /* Completes a copy, unless it failed. */
 static po_status end_copy(po_status status, po_profile_table **copy) {
-  if (!status) {
-    derive(*copy);
+  if (!status)
+    status = derive(*copy);
+  if (!status)
     return PO_OK;
-  }
   po_profile_table_free(*copy);
   *copy = NULL;
   return status;

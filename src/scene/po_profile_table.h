@@ -36,8 +36,10 @@ typedef struct po_profile_table {
   double uncertainty; /* greatest difference between this spline and those without the rows of odd
                          and of even number; greatest standard uncertainty of a smoothing spline;
                          eps */
-  po_smoothing smoothing; /* of rows with noise, eps; no knots: none */
-  double *measured;       /* the radii of the rows with noise */
+  po_smoothing smoothing;        /* of rows with noise, eps; no knots: none */
+  double *measured;              /* the radii of the rows with noise */
+  struct po_profile_table *thin; /* fewer knots (po_profile_thin.h), only r, gap, slope and growth
+                                    are set; NULL: all rows are needed */
   struct po_profile_table *next;
 } po_profile_table;
 

@@ -69,8 +69,14 @@ static double part_beyond(double n, double end, double x) {
   return 0.5 * po_beta_incomplete(0.5, 0.5 * n, (x - end) / x * ((x + end) / x));
 }
 
+/* The table of the profile, on fewer knots if it has them; NULL: it is none. */
+static const po_profile_table *table_of(const po_scene *scene) {
+  const po_profile_table *t = scene->profile.kind == &PO_TABLE ? scene->profile.table : NULL;
+  return t && t->thin ? t->thin : t;
+}
+
 static po_abel table(const po_scene *scene, double x) {
-  const po_profile_table *t = scene->profile.table;
+  const po_profile_table *t = table_of(scene);
   rules rule;
   po_abel sum = {0.0, 0.0, 0.0};
   if (po_gauss_rule(POINTS, rule.node, rule.weight) ||
@@ -146,11 +152,6 @@ static double greatest_drop(const po_profile_table *t, double end, double reach)
   if (end > t->r[last]) /* n f' beyond the last row */
     drop = t->growth < 1.0 ? INFINITY : fmax(drop, fmax(before, here) - t->growth * t->slope[last]);
   return M_PI_2 * drop;
-}
-
-/* The table of the profile; NULL: it is none. */
-static const po_profile_table *table_of(const po_scene *scene) {
-  return scene->profile.kind == &PO_TABLE ? scene->profile.table : NULL;
 }
 
 /* The integral of sin^(n - 1) from 0 to pi/2, n > 0: B(n/2, 1/2)/2. */
@@ -375,6 +376,7 @@ static const double PIECE_GROWTH = 4.0, FIRST_PIECE = 1e-5, PIECE_OF_WAVE = 0.5;
 
 typedef struct {
   const po_scene *scene;
+  po_profile profile; /* on the knots of the transform */
   po_abel_integrand f;
   const void *data;
   bool to_edge; /* with the weight 1/sqrt(to^2 - x^2) */
@@ -385,7 +387,7 @@ typedef struct {
 /* The end of the piece that begins at x. */
 static double piece_end(const integral *q, double x) {
   double end = fmin(q->to, fmax(PIECE_GROWTH * x, FIRST_PIECE * q->to));
-  end = fmin(end, po_profile_next_joint(&q->scene->profile, x));
+  end = fmin(end, po_profile_next_joint(&q->profile, x));
   for (size_t k = 0; k < po_scene_waves(q->scene); ++k)
     end = fmin(end, x + PIECE_OF_WAVE * po_scene_wave(q->scene, k).length);
   return end;
@@ -407,7 +409,13 @@ static double piece(const integral *q, double from, double to) {
 
 double po_abel_integral(const po_scene *scene, double from, double to, bool to_edge,
                         po_abel_integrand f, const void *data) {
-  integral q = {.scene = scene, .f = f, .data = data, .to_edge = to_edge, .to = to};
+  integral q = {.scene = scene,
+                .profile = scene->profile,
+                .f = f,
+                .data = data,
+                .to_edge = to_edge,
+                .to = to};
+  q.profile.table = table_of(scene);
   if (!(from < to))
     return from == to ? 0.0 : NAN;
   if (po_gauss_rule(PIECE_POINTS, q.node, q.weight))

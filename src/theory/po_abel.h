@@ -17,7 +17,8 @@ typedef struct {
 /* The transform at a radius x >= 0 (eps), of the profile alone and with its waves. Source: for the
  * sphere, powers, the cone, flat profiles and waves the integral in closed form (elementary
  * functions, Struve functions); for a table the integral over each cubic of its spline by Gauss
- * rules that are exact to rounding, and beyond its end the incomplete Beta function of its power.
+ * rules that are exact to rounding (of more than 256 rows: of those that po_profile_thin.h keeps,
+ * whose transform is off by 1.6e-7), and beyond its end the incomplete Beta function of its power.
  * Returned: NaN in all members for a profile whose transform is not known here. Accuracy: 1e-14 of
  * the largest term (tests/theory/test_tables_profiles.c). */
 po_abel po_abel_of_profile(const po_scene *scene, double x);

@@ -227,6 +227,27 @@ START_TEST(rows_that_are_too_near_are_noticed) {
 }
 END_TEST
 
+static double ball_of_50(double r) {
+  return 50.0 - sqrt(2500.0 - r * r);
+}
+
+/* The theories evaluated all rows at each radius and went from row to row: the JKR theory of 10,000
+ * rows took more than 20 s. The thin spline has few knots, and the slopes of the ball. */
+START_TEST(thin_splines_have_the_slopes_of_all_rows) {
+  const po_profile profile = table_of(ball_of_50, 10001, 40.0, 1.0);
+  const po_profile_table *thin = profile.table->thin;
+  ck_assert_ptr_nonnull(thin);
+  ck_assert_uint_lt(thin->rows, 200);
+  po_profile few = profile;
+  few.table = thin;
+  for (double r = 0.003; r < 40.0; r += 0.0137) {
+    const double slope = r / sqrt(2500.0 - r * r), allowed = 1.1e-7 * fmax(slope, 1.0 / r);
+    ck_assert_double_eq_tol(po_profile_slope(&few, 0.0, r), slope, allowed);
+  }
+  ck_assert_ptr_null(table_of(ball_of_50, 256, 40.0, 1.0).table->thin);
+}
+END_TEST
+
 START_TEST(joints_of_a_table_are_its_rows) {
   const po_profile p = table_of(parabola, 23, 40.0, 0.3);
   double r = 0.0;
@@ -306,6 +327,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, table_of_a_parabola_is_the_parabola);
   tcase_add_loop_test(tests, uncertainty_of_a_table_bounds_its_error, 0, 2);
   tcase_add_test(tests, rows_that_are_too_near_are_noticed);
+  tcase_add_test(tests, thin_splines_have_the_slopes_of_all_rows);
   tcase_add_test(tests, joints_of_a_table_are_its_rows);
   tcase_add_test(tests, usual_load_is_that_of_the_limit_which_applies);
   tcase_add_test(tests, waves_add_to_the_profile);
