@@ -34,6 +34,11 @@ static const double SLOWEST = 0.45;
  * is as stiff as 1e30, leaves them no change, but an approach that changes by as much. A step is
  * about as long as 1, and where iterations converge the error is below 1e-6. */
 static const double GREATEST_LEFT = 0.1;
+/* The same of Eq 15, relative to 1 + its terms without the deflection. Where the law is as stiff as
+ * 1e35, the factors may leave an error of 1e35 and no change of the gaps or of the approach. An
+ * iteration that converges to 1e-6 leaves no more than that times the stiffness, which is below
+ * 1e12 where there are equilibria. */
+static const double GREATEST_IMBALANCE = 1e6;
 /* A contact edge is narrow if the arclength functional gives approach and load less than this
  * weight (arclength_share). */
 static const double NARROW = 0.1;
@@ -114,8 +119,19 @@ static bool is_clear(const po_equilibrium *e, double change) {
   return change > CLEAR_OF_NOISE * e->noise;
 }
 
+/* The largest error of Eq 15 relative to 1 + its terms without the deflection. */
+static double imbalance(const po_equilibrium *e, const double *state, const double *residual) {
+  double largest = 0.0;
+  for (size_t j = 0; j < e->n; ++j) {
+    const double terms = fabs(e->initial_gap[j]) + fabs(state[e->n]) + fabs(state[j]);
+    largest = greater(largest, fabs(residual[j]) / (1.0 + terms));
+  }
+  return largest;
+}
+
 /* One quasi-Newton iteration for Eq 15 and the condition. Returned: the largest change of a gap
- * relative to 1 + H; NaN if it is not finite; left, the error of the condition before. */
+ * relative to 1 + H; NaN if it is not finite; left, the error of the condition before, or of Eq 15
+ * as far as it is allowed. */
 static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint,
                           double *left) {
   const size_t n = e->n;
@@ -123,7 +139,8 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   double *residual = e->deflection, *change = e->scratch;
   po_equilibrium_residual(e, state, residual);
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
-  *left = fabs(residual[n]);
+  *left =
+      fmax(fabs(residual[n]), GREATEST_LEFT / GREATEST_IMBALANCE * imbalance(e, state, residual));
   po_equilibrium_precondition(e, residual, change);
   drop_rounding(e, state, change);
   po_secant_step(&e->secant, e->last_change < LINEAR && is_clear(e, e->last_change), change);

@@ -153,6 +153,25 @@ START_TEST(a_prediction_beyond_contact_is_no_equilibrium) {
 }
 END_TEST
 
+/* A trace that begins far out, as through a soft spring, doubles its steps until one ends beyond
+ * contact, where a traction as (1 + H)^-33 is 1e33. The factors then left Eq 15 an error of 1e35
+ * and changed neither gaps nor approach, and the condition of the step was met: "the traction needs
+ * 8192 panels". The force does not depend on where the trace begins. */
+START_TEST(an_iteration_that_leaves_the_equation_has_not_converged) {
+  static const scene SCENES[] = {{"mie:15,33", "power:0.02,2", "0.7"},
+                                 {"mie:9,33", "power:5e-3,2", "0.1"}};
+  const scene *s = &SCENES[_i];
+  po_request request = request_of(s->law, s->profile, s->coupling, NULL, 1e-6);
+  request.scene.outer_radius = 50.0;
+  double near_error, far_error;
+  const double near = solved(&request, &near_error);
+  for (double start = -3e3; start > -2e5; start *= 7.0) {
+    request.approach_start = start;
+    ck_assert_double_eq_tol(near, solved(&request, &far_error), near_error + far_error);
+  }
+}
+END_TEST
+
 static const struct {
   const char *law, *profile, *outer;
 } STEEP[] = {{"mie:20,40", "power:1e-8,9", "30"}, {"mie:4,12", "power:1e-32,40", "9"}};
@@ -173,6 +192,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_point_is_measured_on_the_mesh_of_the_next);
   tcase_add_test(tests, a_tip_between_the_nodes_is_no_return);
   tcase_add_test(tests, a_prediction_beyond_contact_is_no_equilibrium);
+  tcase_add_loop_test(tests, an_iteration_that_leaves_the_equation_has_not_converged, 0, 2);
   tcase_add_loop_test(tests, steep_profiles_are_solved_on_the_half_space, 0, 2);
   tcase_add_loop_test(tests, energies_lost_are_within_their_errors, 0,
                       sizeof KINKS / sizeof *KINKS);
