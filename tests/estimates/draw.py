@@ -5,6 +5,7 @@ A number depends only on the seed, on the number k of the scene and on the name 
 significant digits, so that the printed command repeats the scene exactly."""
 
 import math
+import os
 
 MASK = 2**64 - 1
 
@@ -112,3 +113,75 @@ def general_scene(seed, index, ranges=None):
     else:
         flags["outer-radius"] = float(f"{between(ranges['outer'], part('outer')) * width:.6g}")
     return flags
+
+
+def steep_profile(part, width):
+    """Cones, powers near 1 and above 8, exact spheres and hyperboloids, whose gap is of order epsilon at `width`."""
+    kind = int(5.0 * part("profile"))
+    if kind == 0:
+        return f"cone:{float(f'{1.0 / width:.6g}'):g}"
+    if kind in (1, 2):
+        power = float(f"{between((1.01, 1.3) if kind == 1 else (8.0, 12.0), part('power')):.4g}")
+        return f"power:{float(f'{width**-power:.6g}'):.10g},{power:g}"
+    if kind == 3:
+        return f"exact_sphere:{float(f'{0.5 * width * width:.6g}'):g}"
+    edge = between((0.1, 10.0), part("edge"))
+    return f"hyperboloid:{float(f'{1.0 / width:.6g}'):g},{float(f'{edge * width:.6g}'):g}"
+
+
+def steep_law(part):
+    """A Mie law with m > 10, a Morse law, or that of the paper."""
+    kind = part("law")
+    if kind < 0.5:
+        small = 10.0 + 20.0 * part("mie_m")
+        return f"mie:{small:.4g},{small + 2.0 + 20.0 * part('mie_n'):.4g}"
+    return f"morse:{between((0.6, 20.0), part('morse_a')):g}" if kind < 0.75 else "lennard-jones"
+
+
+def steep_scene(seed, index, ranges=None):
+    """A general scene with a steep profile and law."""
+    ranges = ranges or GENERAL
+    flags = general_scene(seed, index, ranges)
+    flags.pop("radius", None)
+
+    def part(name):
+        return uniform(seed, index, f"steep {name}")
+
+    width = between(ranges["width"], uniform(seed, index, "width"))
+    return dict(flags, law=steep_law(part), profile=steep_profile(part, width))
+
+
+def table_rows(part, width):
+    """(r, gap) of a body as an instrument might measure it: a parabola or a cone, with kinks or undulations or neither. The
+    distance of the rows varies by a factor of 3; the last row is at 3 to 30 widths."""
+    count, end = int(between((12, 400), part("rows"))), width * between((3.0, 30.0), part("end"))
+    power = 2.0 if part("body") < 0.6 else 1.0
+    kind = int(3.0 * part("feature"))
+    places = [end * part(f"kink {k}") for k in range(3)] if kind == 1 else []
+    slopes = [2.0 * (part(f"slope {k}") - 0.3) / width for k in range(3)]
+    length = between((0.5, 10.0), part("length")) * width
+    height = between((0.01, 0.3), part("height")) if kind == 2 else 0.0
+    rows, r = [], 0.0
+    for k in range(count):
+        gap = (r / width)**power + sum(slope * max(0.0, r - place) for place, slope in zip(places, slopes))
+        rows.append((r, gap + height * (1.0 - math.cos(2.0 * math.pi * r / length))))
+        r += end / count * 3.0**(part(f"row {k}") - 0.5)
+    return rows
+
+
+def table_scene(seed, index, folder, ranges=None):
+    """A general scene whose profile is a table in a file of this folder."""
+    ranges = ranges or GENERAL
+
+    def part(name):
+        return uniform(seed, index, f"table {name}")
+
+    flags = general_scene(seed, index, ranges)
+    flags.pop("radius", None)
+    flags.pop("profile")
+    os.makedirs(folder, exist_ok=True)
+    path = os.path.join(folder, f"table-{seed}-{index}.csv")
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write("r,gap\n" + "".join(f"{r:.9g},{gap:.9g}\n"
+                                         for r, gap in table_rows(part, between(ranges["width"], uniform(seed, index, "width")))))
+    return {"profile-file": path, **flags}

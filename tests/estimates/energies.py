@@ -4,13 +4,17 @@ in jumps, and the work. Random scenes are solved with a loose and a tight tolera
 
     energies.py --count 60 --seed 1           solve and compare, on all cores
     energies.py --general --count 60          scenes of any law, profile, waves and coupling
-    energies.py --springs --count 60          such scenes, each pressed through a spring of any stiffness
+    energies.py --steep --count 60            general scenes whose profiles and laws are steep
+    energies.py --tables --count 60           general scenes whose profile is a table with kinks or undulations
+    energies.py --springs --count 60          such scenes (general ones if no kind is given), each through a spring
 
-Prints how often the stated errors hold and how much too large they are, and each violation with the commands that
-repeat it. Solutions are kept, so that an interrupted campaign can be continued. Exit code: 0 no violation, 1 a
-violation, 2 bad usage, 3 nothing could be compared, 4 a file cannot be written, 130 interrupted."""
+Forces, folds and extrema are compared, too, as by campaign.py. Prints how often the stated errors hold and how much too
+large they are, each violation with the commands that repeat it, and the solves without a result by their status.
+Solutions are kept, so that an interrupted campaign can be continued. Exit code: 0 no violation, 1 a violation, 2 bad
+usage, 3 nothing could be compared, 4 a file cannot be written, 130 interrupted."""
 
 import math
+import os
 import sys
 
 import compare
@@ -20,7 +24,8 @@ import solve
 import steps
 import table
 
-ORDER = ("fold energy", "extremum energy", "curve energy", "loop energy", "lost in a jump", "lost in a loop", "work")
+ORDER = ("fold energy", "extremum energy", "curve energy", "loop energy", "lost in a jump", "lost in a loop", "work",
+         *table.ORDER)
 STARTS = 8           # parts of a segment in which the nearest place is looked for
 CANDIDATES = 3       # segments of a curve on which it is looked for
 MISS = 1e-8          # least distance of a curve from its cubics that the program asks for
@@ -32,7 +37,9 @@ GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 def arguments(args):
     parser = options.parser_of(__doc__, "energies.jsonl", 60, (1e-4, 1e-7))
     parser.add_argument("--general", action="store_true", help="scenes of any law, profile, waves and coupling")
-    parser.add_argument("--springs", action="store_true", help="such scenes through a spring of any stiffness")
+    parser.add_argument("--steep", action="store_true", help="general scenes with steep profiles and laws")
+    parser.add_argument("--tables", action="store_true", help="general scenes whose profile is a table with kinks or undulations")
+    parser.add_argument("--springs", action="store_true", help="scenes of these kinds, or general ones, through a spring of any stiffness")
     options.add_ranges(parser, {"tabor": (0.05, 5.0), "radius": (30.0, 200.0), "wavelength": (1.0, 6.0),
                                 "amplitude": (0.003, 0.5), "outer": (0.25, 1.0)},
                        {"smooth": 0.1, "cut": 0.5, "at-radius": 0.5, "any-law": 0.4})
@@ -119,13 +126,15 @@ class Task:
     def __init__(self, name, scene):
         # through a spring the traces begin where they need to, each at its own position
         self.name, self.scene = name, dict(scene, want="hysteresis" if "stiffness" in scene else "hysteresis,curve")
-        self.solutions, self.findings, self.negative = [], [], []
+        self.solutions, self.findings = [], []
+        self.broken = []     # violations that are no stated error: losses below 0, special points of one solution alone
 
     def solve(self, journal, wanted):
         self.solutions = [journal.solution(self.scene, tolerance) for tolerance in (wanted.loose, wanted.tight)]
         if all(one["status"] == "ok" and one.get("hysteresis") for one in self.solutions):
             loose, tight = self.solutions
             self.add_special_points(loose, tight)
+            self.add_forces(loose, tight)
             if tight.get("curve"):
                 self.add_curve(loose, tight)
             for name in TESTS:
@@ -136,6 +145,14 @@ class Task:
     def add(self, quantity, where, stated, difference, own):
         if stated > 0.0:
             self.findings.append(compare.Finding(quantity, where, stated, difference, own + compare.ROUNDING))
+
+    def add_forces(self, loose, tight):
+        """Forces, folds and extrema, where a pull-off was found."""
+        if all(one.get("pull_off") for one in (loose, tight)):
+            found = compare.compare(loose, tight)
+            self.findings += found.findings
+            self.broken += [f"{words} {text}" for words, texts in (("missing", found.missing), ("added", found.added))
+                              for text in texts]
 
     def add_special_points(self, loose, tight):
         for name, pairs in zip(("fold", "extremum"), compare.common(loose, tight)):
@@ -158,7 +175,7 @@ class Task:
     def add_loop(self, name, ours, theirs):
         for jump in ours["jumps"]:
             if compare.value(jump, "energy_lost") < -compare.value(jump, "energy_lost_error_estimate"):
-                self.negative.append(f"{jump['energy_lost']:.3g} lost in jump {jump['label']} ({name}), a gain beyond the "
+                self.broken.append(f"{jump['energy_lost']:.3g} lost in jump {jump['label']} ({name}), a gain beyond the "
                                      f"stated {jump['energy_lost_error_estimate']:.3g}")
         if len(ours["jumps"]) != len(theirs["jumps"]) or not ours["jumps"]:
             return
@@ -182,7 +199,7 @@ class Task:
 
     @property
     def violations(self):
-        return self.negative + [f"{f.quantity}: stated {f.stated:.3g}, off by {f.difference:.3g}{f.where}"
+        return self.broken + [f"{f.quantity}: stated {f.stated:.3g}, off by {f.difference:.3g}{f.where}"
                                 for f in self.findings if f.verdict == "violated"]
 
 
@@ -191,13 +208,34 @@ def through_a_spring(scene, seed, k):
     return dict(scene, stiffness=draw.between(STIFFNESS, draw.uniform(seed, k, "stiffness")))
 
 
+def drawn(wanted, k):
+    """Scene k of the kind that is wanted."""
+    if wanted.tables:
+        scene = draw.table_scene(wanted.seed, k, os.path.join(wanted.build, "tables"))
+    elif wanted.steep:
+        scene = draw.steep_scene(wanted.seed, k)
+    elif wanted.general or wanted.springs:
+        scene = draw.general_scene(wanted.seed, k)
+    else:
+        scene = draw.scene(wanted.seed, k, vars(wanted))
+    return through_a_spring(scene, wanted.seed, k) if wanted.springs else scene
+
+
 def tasks_of(wanted):
-    def drawn(k):
-        if wanted.springs:
-            return through_a_spring(draw.general_scene(wanted.seed, k), wanted.seed, k)
-        return draw.general_scene(wanted.seed, k) if wanted.general else draw.scene(wanted.seed, k, vars(wanted))
-    return [Task(f"scene {k}", drawn(k))
+    return [Task(f"scene {k}", drawn(wanted, k))
             for k in (wanted.scenes if wanted.scenes is not None else range(wanted.count))]
+
+
+def tell_unsolved(tasks, wanted):
+    """How many solves ended without a result, for each reason, and one command that repeats it."""
+    reasons = {}
+    for task in tasks:
+        for tolerance, one in zip((wanted.loose, wanted.tight), task.solutions):
+            if one["status"] not in ("ok", "crashed"):
+                reasons.setdefault(f"{one['status']} at {tolerance:g}", []).append((task, tolerance))
+    for reason, found in sorted(reasons.items()):
+        print("\n  ".join([f"unsolved: {reason}: {len(found)}", *(solve.command(task.scene, tolerance)
+                                                                  for task, tolerance in found)]))
 
 
 def report(tasks, wanted):
@@ -208,6 +246,7 @@ def report(tasks, wanted):
     violated = [task for task in tasks if task.violations]
     for task in violated:
         print("\n  ".join([f"violated: {task.name}", *task.violations, solve.command(task.scene, wanted.loose)]))
+    tell_unsolved(tasks, wanted)
     crashed = [task for task in tasks if task.crashed]
     for task in crashed:
         solve.tell_crashed(task.name, task.crashed[0], solve.command(task.scene, wanted.loose))

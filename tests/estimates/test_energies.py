@@ -3,11 +3,13 @@
 import math
 import os
 import sys
+import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
+import draw  # noqa: E402
 import energies  # noqa: E402
 
 
@@ -70,6 +72,30 @@ class Energies(unittest.TestCase):
         self.assertEqual(len(task.violations), 1)
         task.add("curve energy", "", math.nan, 1.0, 0.0)      # nothing is stated
         self.assertEqual(len(task.violations), 1)
+
+    def test_points_of_one_branch_alone_are_violations(self):
+        """Forces and special points of the two solutions are compared beside their energies."""
+        mark = {"kind": "minimum", "approach": -0.5, "load": -2.0, "position": 1.0, "contact_radius": 1.0, "error_estimate": 1e-6,
+                "load_error_estimate": 1e-6, "contact_radius_error_estimate": 1e-6}
+        one = {"folds": [], "extrema": [mark], "start": -9.0, "end": 1.0,
+               "pull_off": {"force": 2.0, "approach": -0.5, "contact_radius": 1.0, "error_estimate": 1e-6}}
+        task = energies.Task("made up", {})
+        task.add_forces(one, one)
+        self.assertEqual(task.violations, [])
+        other = dict(mark, kind="maximum", approach=0.5, load=-1.0, position=2.0)
+        task.add_forces(one, dict(one, extrema=[mark, other]))
+        self.assertEqual([text.split()[0] for text in task.violations], ["missing"])
+
+    def test_tables_and_steep_scenes_are_drawn_again_alike(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scenes = [draw.table_scene(7, 2, folder) for _ in range(2)]
+            with open(scenes[0]["profile-file"], encoding="utf-8") as stream:
+                radii = [float(line.split(",")[0]) for line in stream.readlines()[1:]]
+        self.assertEqual(*scenes)
+        self.assertEqual(radii, sorted(set(radii)))
+        self.assertGreater(len(radii), 11)
+        profiles = {draw.steep_scene(7, k)["profile"].split(":")[0] for k in range(40)}
+        self.assertEqual(profiles, {"cone", "power", "exact_sphere", "hyperboloid"})
 
 
 if __name__ == "__main__":
