@@ -71,7 +71,7 @@ static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_me
   po_panels *const panels = t->c.e->surface->draft;
   po_panels_uniform(panels, 1);
   if (!po_panels_refine(panels, INT_MAX, too_large, p))
-    return t->c.trouble = po_resolution_fail(panels);
+    return t->c.trouble = po_resolution_fail(t->c.e->scene, panels);
   po_status status = PO_OK;
   if (!all_move(t, p))
     status = po_corrector_adapt(&t->c, &(po_gap_field){po_prediction_gap, p}, panels);

@@ -155,23 +155,24 @@ static void join_what_can_be(const resolved_field *f, po_panels *panels) {
   po_panels_join(panels);
 }
 
-po_status po_resolution_fail(const po_panels *panels) {
+po_status po_resolution_fail(const po_scene *scene, const po_panels *panels) {
   for (size_t k = 0; k < panels->count; ++k)
     if (panels->panel[k].level == PO_DEEPEST_LEVEL)
       return po_fail(PO_OUT_OF_NODES,
-                     "the traction needs panels shorter than 2^-%d of the domain: expected a "
-                     "smaller coupling or Tabor parameter, in SI units a greater distance",
+                     "the traction needs panels shorter than 2^-%d of the domain: if the load is "
+                     "compressive there, expected a smaller preload, otherwise a smaller coupling "
+                     "or Tabor parameter, in SI units a greater distance",
                      PO_DEEPEST_LEVEL);
-  return po_fail(PO_OUT_OF_NODES,
-                 "the traction needs more than %d panels: expected a larger tolerance, a smaller "
-                 "outer radius, or longer waves",
-                 PO_MOST_PANELS);
+  return po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels%s", PO_MOST_PANELS,
+                 po_scene_is_wavy(scene) ? ": expected longer waves or a smaller outer radius"
+                                         : "");
 }
 
 po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,
                                po_panels *panels) {
   resolved_field f = {r, field};
   join_what_can_be(&f, panels);
-  return po_panels_refine(panels, PO_MOST_HALVINGS, is_too_coarse, &f) ? PO_OK
-                                                                       : po_resolution_fail(panels);
+  return po_panels_refine(panels, PO_MOST_HALVINGS, is_too_coarse, &f)
+             ? PO_OK
+             : po_resolution_fail(r->e->scene, panels);
 }

@@ -33,9 +33,9 @@ double po_resolution_excess(const po_resolution *r, const po_panels *panels, con
 /* Largest number of meshes tried for one point. Each resolves the solution on the mesh before. */
 enum { PO_MOST_MESHES_A_POINT = 4 };
 
-/* Fails with PO_OUT_OF_NODES. Given: panels that cannot be split as required, because of their
- * number or because one of them is of the shortest. */
-po_status po_resolution_fail(const po_panels *panels);
+/* Fails with PO_OUT_OF_NODES. Given: the scene, and panels that cannot be split as required,
+ * because of their number or because one of them is of the shortest. */
+po_status po_resolution_fail(const po_scene *scene, const po_panels *panels);
 
 /* How often po_resolution_panels splits a panel at most. */
 enum { PO_MOST_HALVINGS = 6 };

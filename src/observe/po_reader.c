@@ -261,12 +261,13 @@ static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_
   if (only_searches(r))
     r->result->ended.cause = PO_END_SEARCHED;
   else
-    r->status = po_fail(PO_OUT_OF_DOMAIN,
-                        "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
-                        "approach %.6g, load %.6g%s",
-                        contact_radius, r->surface->core_radius, p->approach,
-                        p->load * po_scene_load_unit(&r->request->scene),
-                        r->stopping.met ? "" : ", before the preload is met");
+    r->status =
+        po_fail(PO_OUT_OF_DOMAIN,
+                "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
+                "approach %.6g, load %.6g%s",
+                contact_radius, r->surface->core_radius, p->approach,
+                p->load * po_scene_load_unit(&r->request->scene),
+                r->stopping.met ? "" : ", before the preload is met: expected a smaller preload");
 }
 
 /* Whether the trace ends at a point; stores the cause. */

@@ -236,9 +236,10 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
     status =
         po_fail(PO_NOT_FOUND,
                 "the trace ended at approach %.6g, load %.6g, before the load %g was reached; "
-                "expected a greater approach_end, or a smaller load",
+                "expected a greater approach_end%s",
                 result->ended.approach, result->ended.load * po_scene_load_unit(&request->scene),
-                request->preload.load * po_scene_load_unit(&request->scene));
+                request->preload.load * po_scene_load_unit(&request->scene),
+                result->ended.load > 0.0 ? ", or a smaller load" : "");
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
   if (!status)

@@ -1,0 +1,55 @@
+"""What the message of a failed solve advises is followed, and the solve then succeeds.
+
+Messages advised a larger tolerance where the waves, and not the tolerance, ask for the panels; a smaller Tabor
+parameter where a cut surface is pressed too hard; and a load below that reached where that is tensile, which no
+preload can be.
+"""
+
+import pathlib
+
+import pytest
+
+from conftest import expect
+
+HARD = "--tabor 0.2 --radius 1e6 --amplitude 0.1 --wavelength 300 --tolerance 0.01 --preload"
+HALF = "--amplitude 1 --wavelength 0.01"
+CUT = "--tabor 0.1 --outer-radius 100 --preload-load"
+FINE = "--tabor 0.2 --radius 1e14 --amplitude 0.1 --preload 0.5 --tolerance 0.01 --wavelength"
+RINGS = "--tabor 2 --amplitude 1 --wavelength 3 --scheme"
+ENDS = "--tabor 5 --want hysteresis --stiffness 0.1 --preload"
+STUCK = "--radius 88.0067 --tabor 3.81094 --law mie:19.23,36.08 --outer-radius 36.6711 --want hysteresis --tolerance"
+NOISY = "--tabor 2 --amplitude 1e-3 --wavelength 0.02 --outer-radius 0.2 --preload 0.5 --tolerance"
+TABLE = "--coupling 0.3 --profile-file"
+
+# The scene that fails, its message, and scenes that follow the advice of the message, or of the table in doc/guide.md.
+ADVICE = (
+    ("--tabor 1e6 --tolerance 0.01", "*shorter than 2^-40 *, otherwise a smaller coupling or Tabor parameter*", "--tabor 100 --tolerance 0.01"),
+    (f"{CUT} 1e6", "*shorter than 2^-40 *: if the load is compressive there, expected a smaller preload*", f"{CUT} 10"),
+    (f"{FINE} 1", "*nodes or more and * of memory*: expected longer waves, a smaller outer radius*", f"{FINE} 1e7", f"{FINE} 1 --outer-radius 100"),
+    (f"{HARD} 1e15", "*nodes or more and * of memory*or a smaller preload", f"{HARD} 0.5"),
+    (f"--tabor 0 {HALF} --outer-radius 1000", "*half waves up to radius 1000*; expected a longer wavelength or a smaller outer radius, or none",
+     "--tabor 0 --amplitude 1 --wavelength 5 --outer-radius 1000", f"--tabor 0 {HALF} --outer-radius 1", f"--tabor 0 {HALF}"),
+    (f"{RINGS} ring --nodes 20", "*expected at least 72 nodes, a longer wavelength or scheme panel",
+     f"{RINGS} ring --nodes 72", f"{RINGS} panel", "--tabor 2 --amplitude 1 --wavelength 20 --scheme ring --nodes 20"),
+    ("--tabor 5 --preload-load 1e6", "*reached the end of the meshed surface*: expected a smaller preload; *", "--tabor 5 --preload-load 100"),
+    ("--tabor 5 --preload -5", "*up to the preload, approach -5: *; expected a harder preload", "--tabor 5 --preload -2"),
+    ("--tabor 0 --preload -1", "*up to the preload, approach -1: *; expected a harder preload", "--tabor 0 --preload 0.1"),
+    (f"{ENDS} -5", "*up to the preload, approach -5: *; expected a harder preload", f"{ENDS} -3"),
+    ("--tabor 0 --preload 5", "*expected less than 1, *", "--tabor 0 --preload 0.99"),
+    ("--tabor 5 --preload-load 1 --approach-end 12", "*; expected a greater approach_end, or a smaller load; *",
+     "--tabor 5 --preload-load 1 --approach-end 20", "--tabor 5 --preload-load 0.4 --approach-end 12"),
+    ("--tabor 5 --preload-load 1 --approach-end -2", "*; expected a greater approach_end; *", "--tabor 5 --preload-load 1 --approach-end 20"),
+    (f"{NOISY} 1e-10", "*times the tolerance*: expected a larger tolerance", f"{NOISY} 1e-8"),
+    (f"{STUCK} 1e-5", "*with the shortest step*", f"{STUCK} 1e-4", f"{STUCK} 1e-6"),
+    ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*", "--tabor 100"),
+    ("--tabor 2 --time-limit 1e-9", "*of processor time*", "--tabor 2 --time-limit 600"),
+    (f"{TABLE} 30.csv --preload 30", "*expected rows for larger radii, or a smaller preload; *", f"{TABLE} 200.csv --preload 30", f"{TABLE} 30.csv --preload 0"),
+)
+
+
+@pytest.mark.parametrize("scene, message, followed", ((scene, message, better) for scene, message, *all in ADVICE for better in all))
+def test_advice_helps(scene, message, followed):
+    for end in 30, 200:
+        pathlib.Path(f"{end}.csv").write_text("r,gap\n" + "".join(f"{r},{r * r / 200}\n" for r in range(end + 1)))
+    expect(2 if "expected less" in message or "rows" in message else 3, message, f"solve {scene}")
+    assert "pull-off force" in expect(0, "", f"solve {followed}").out
