@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "po_csv_form.h"
 #include "po_file.h"
@@ -23,6 +24,44 @@ static void trim(char *text) {
   text[length] = '\0';
 }
 
+/* A name, by its address, in a list of them. */
+static int name_order(const void *a, const void *b) {
+  const char *const x = **(char *const *const *)a, *const y = **(char *const *const *)b;
+  const int order = strcmp(x, y);
+  return order ? order : (x > y) - (x < y); /* all are parts of one text, in its order */
+}
+
+/* Finds the first name that is also the name of one before it. Given: the names are `step` bytes
+ * apart. Returned: *index, `count` if there is none. Status: PO_NO_MEMORY. */
+static po_status find_repeated(const void *names, size_t count, size_t step, size_t *index) {
+  char *const **sorted = po_allocate(count + 1, sizeof *sorted);
+  if (!sorted)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < count; ++i)
+    sorted[i] = (char *const *)((const char *)names + i * step);
+  qsort(sorted, count, sizeof *sorted, name_order);
+  *index = count;
+  for (size_t i = 1; i < count; ++i) {
+    const size_t k = (size_t)((const char *)sorted[i] - (const char *)names) / step;
+    if (k < *index && strcmp(*sorted[i - 1], *sorted[i]) == 0)
+      *index = k;
+  }
+  free(sorted);
+  return PO_OK;
+}
+
+static po_status check_headers(const po_csv *csv) {
+  size_t k = 0;
+  const po_csv_header *const headers = csv->headers;
+  if (csv->header_count == 0)
+    return PO_OK;
+  if (find_repeated(&headers->key, csv->header_count, sizeof *headers, &k))
+    return PO_NO_MEMORY;
+  return k == csv->header_count ? PO_OK
+                                : po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is given twice",
+                                          csv->path, headers[k].line, headers[k].key);
+}
+
 static po_status add_header(po_csv *csv, char *line, size_t number) {
   char *key = line + 1 + strspn(line + 1, " \t");
   char *colon = strchr(key, ':'), shown[PO_QUOTE_LENGTH];
@@ -31,13 +70,15 @@ static po_status add_header(po_csv *csv, char *line, size_t number) {
                    csv->path, number, po_quote(line, shown));
   *colon = '\0';
   trim(colon + 1);
-  if (po_csv_find_header(csv, key))
-    return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is given twice", csv->path, number, key);
-  po_csv_header *headers = po_resize(csv->headers, csv->header_count + 1, sizeof *headers);
-  if (!headers)
-    return PO_NO_MEMORY;
-  csv->headers = headers;
-  headers[csv->header_count++] =
+  /* if the count is 0 or a power of 2, double the memory */
+  if ((csv->header_count & (csv->header_count - 1)) == 0) {
+    const size_t count = csv->header_count ? 2 * csv->header_count : 1;
+    po_csv_header *headers = po_resize(csv->headers, count, sizeof *headers);
+    if (!headers)
+      return PO_NO_MEMORY;
+    csv->headers = headers;
+  }
+  csv->headers[csv->header_count++] =
       (po_csv_header){.key = key, .value = colon + 1 + strspn(colon + 1, " \t"), .line = number};
   return PO_OK;
 }
@@ -68,11 +109,14 @@ static po_status set_columns(po_csv *csv, char *line, size_t number) {
                      "%s:%zu: the column %zu is named %s: expected a line with the names of the "
                      "columns before the rows",
                      csv->path, number, i + 1, csv->columns[i]);
-    if (po_csv_find_column(csv, csv->columns[i]) != (int)i)
-      return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is given twice", csv->path, number,
-                     csv->columns[i]);
   }
-  return PO_OK;
+  size_t twice = 0;
+  if (find_repeated(csv->columns, csv->column_count, sizeof *csv->columns, &twice))
+    return PO_NO_MEMORY;
+  return twice == csv->column_count
+             ? PO_OK
+             : po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is given twice", csv->path, number,
+                       csv->columns[twice]);
 }
 
 static po_status refuse_count(const po_csv *csv, size_t number, size_t count) {
@@ -127,20 +171,16 @@ static bool compute_digest(const po_text *text, char digest[PO_DIGEST_LENGTH]) {
   return line < end;
 }
 
-/* Some programs begin UTF-8 with it. */
-static const char BYTE_ORDER_MARK[] = "\xEF\xBB\xBF";
-
-static po_status parse(po_csv *csv, size_t size) {
+/* Given: comments, whether lines that begin with # may stand among the rows. */
+static po_status parse(po_csv *csv, size_t size, bool comments) {
   if (size == 0)
     return po_fail(PO_CANNOT_READ, "%s is empty: expected a table", csv->path);
   if (memchr(csv->text, '\0', size))
     return po_fail(PO_CANNOT_READ, "%s is not a text file: it contains a NUL byte", csv->path);
   po_status status = PO_OK;
   size_t number = 1, blank = 0;
-  const size_t mark = strncmp(csv->text, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0
-                          ? strlen(BYTE_ORDER_MARK)
-                          : 0;
-  for (char *line = csv->text + mark, *end = csv->text + size; !status && line < end; ++number) {
+  for (char *line = csv->text + po_quote_mark(csv->text), *end = csv->text + size;
+       !status && line < end; ++number) {
     char *stop = strchr(line, '\n');
     if (!stop)
       return po_fail(PO_CANNOT_READ, "%s:%zu: the last line has no newline: the file is truncated",
@@ -160,12 +200,16 @@ static po_status parse(po_csv *csv, size_t size) {
       status = add_header(csv, line, number);
     else if (!csv->columns)
       status = set_columns(csv, line, number);
+    else if (comments && is_header)
+      ;             /* left out */
     else if (blank) /* not after the rows */
       status = refuse_count(csv, blank, 0);
     else
       status = add_row(csv, line, number);
     line = stop + 1;
   }
+  if (!status)
+    status = check_headers(csv);
   if (!status && !csv->columns)
     return po_fail(PO_CANNOT_READ, "%s:%zu: there is no line of column names", csv->path, number);
   return status;
@@ -186,12 +230,12 @@ po_status po_csv_read_columns(const char *path, const char *name, const char *co
   text.capacity = text.length + 1;
   if (!status && !(csv->path = po_copy_text(name)))
     status = PO_NO_MEMORY;
-  if (!status && text.length && !compute_digest(&text, csv->digest))
+  const bool sealed = !status && compute_digest(&text, csv->digest);
+  if (!status && text.length && !sealed)
     status = po_csv_make_plain(name, wanted, &text, &csv->separator);
-  const size_t size = text.length;
   csv->text = text.data;
   if (!status)
-    status = parse(csv, size);
+    status = parse(csv, text.length, wanted && !sealed);
   if (status)
     po_csv_clear(csv);
   return status;
@@ -233,8 +277,14 @@ po_status po_csv_number(const po_csv *csv, size_t row, size_t column, double *va
   const char *cell = po_csv_cell(csv, row, column);
   if (po_number_parse(cell, value))
     return PO_OK;
-  return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected a finite number", csv->path,
-                 csv->lines[row], csv->columns[column], cell);
+  bool units = row == 0 && strcasecmp(cell, "nan") != 0; /* a first row without digits */
+  for (size_t c = 0; c < csv->column_count; ++c)
+    units = units && !strpbrk(po_csv_cell(csv, row, c), "0123456789");
+  char shown[PO_QUOTE_LENGTH];
+  return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected a finite number%s", csv->path,
+                 csv->lines[row], csv->columns[column], po_quote(cell, shown),
+                 units ? "; units belong in the names of the columns, as in r_um"
+                       : po_number_fault(cell));
 }
 
 void po_csv_seal(const po_text *header, const po_text *rows, po_text *file,

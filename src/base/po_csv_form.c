@@ -87,17 +87,13 @@ static po_status find_lines(po_text *text, form *f) {
   f->lines = po_allocate(count + 1, sizeof *f->lines);
   if (!f->lines)
     return PO_NO_MEMORY;
-  for (char *at = text->data, *stop; (stop = strchr(at, '\n')); at = stop + 1) {
+  for (char *at = text->data + po_quote_mark(text->data), *stop; (stop = strchr(at, '\n'));
+       at = stop + 1) {
     size_t length = (size_t)(stop - at);
     while (length && at[length - 1] == '\r')
       --length;
     longest = length > longest ? length : longest;
     f->lines[f->count++] = (span){at, length};
-  }
-  static const char MARK[] = "\xEF\xBB\xBF";
-  if (f->count && strncmp(f->lines[0].at, MARK, strlen(MARK)) == 0) {
-    f->lines[0].at += strlen(MARK);
-    f->lines[0].length -= strlen(MARK);
   }
   f->scratch = po_allocate(longest + 1, 1);
   return f->scratch ? PO_OK : PO_NO_MEMORY;
@@ -120,6 +116,9 @@ static size_t split(form *f, size_t k, char separator) {
   const size_t skip = is_comment(line);
   memcpy(f->scratch, line->at + skip, line->length - skip);
   f->scratch[line->length - skip] = '\0';
+  for (char *c = f->scratch; *c; ++c)
+    if ((unsigned char)*c >= 0x80)
+      memset(c, ' ', po_encoding_blank(c));
   const size_t count = po_csv_split(f->scratch, separator, f->cells, MOST_CELLS);
   return count <= MOST_CELLS ? count : 0;
 }
@@ -140,11 +139,11 @@ static bool write_number(const char *cell, char mark, char *number, size_t size)
   }
   number[used] = '\0';
   double value = 0;
-  return marked && po_number_parse(number, &value);
+  return used + 1 < size && marked && po_number_parse(number, &value);
 }
 
 static bool is_number(const char *cell, char mark) {
-  char number[64];
+  char number[PO_NUMBER_LONGEST];
   double value = 0;
   return po_number_parse(cell, &value) || write_number(cell, mark, number, sizeof number);
 }
@@ -154,10 +153,18 @@ static bool begins_with(const char *name, const char *word) {
   return strncmp(name, word, length) == 0 && strchr("_ ([/", name[length]);
 }
 
+/* Returned: the number of the cells that were split last, without empty ones beyond the `least`
+ * first, as separators at the end of a line make them. */
+static size_t without_end(const form *f, size_t count, size_t least) {
+  while (count > least && !*f->cells[count - 1])
+    --count;
+  return count;
+}
+
 /* Whether the cells that were split last are names of columns. */
 static bool are_names(const form *f, size_t count, bool wanted) {
   for (size_t i = 0; i < count; ++i)
-    if (is_number(f->cells[i], ',') || (!*f->cells[i] && i > 0 && i + 1 < count))
+    if (is_number(f->cells[i], ',') || (!wanted && !*f->cells[i] && i > 0))
       return false;
   for (const char *const *word = wanted ? f->wanted : NULL; word && *word; ++word) {
     size_t i = 0;
@@ -175,7 +182,7 @@ static bool is_row(form *f, size_t k, char separator, size_t columns) {
   bool number = false;
   for (size_t i = 0; i < count; ++i)
     number = number || is_number(f->cells[i], '.') || is_number(f->cells[i], ',');
-  return number && (count == columns || (count == columns + 1 && !*f->cells[columns]));
+  return number && without_end(f, count, columns) == columns;
 }
 
 /* Finds the line of names. Given: wanted, whether it has these names; row, whether a row follows.
@@ -191,10 +198,9 @@ static bool find_names(form *f, bool wanted, bool row) {
     if (!row && is_comment(&f->lines[k]))
       continue;
     for (const char *separator = SEPARATORS; *separator; ++separator) {
-      size_t count = split(f, k, *separator);
+      const size_t count = without_end(f, split(f, k, *separator), 2);
       if (!are_names(f, count, wanted))
         continue;
-      count -= count > 2 && !*f->cells[count - 1];
       if (row && !is_row(f, next, *separator, count))
         continue;
       f->names = k;
@@ -215,11 +221,12 @@ static bool may_be_thousands(const char *cell) {
 }
 
 static po_status find_decimal_mark(form *f) {
-  char number[64], shown[2][64] = {"", ""}; /* the first with a point, with a comma */
+  char number[PO_NUMBER_LONGEST],
+      shown[2][64] = {"", ""}; /* the first with a point, with a comma */
   size_t line[2] = {0};
   bool proven = false;
   for (size_t k = f->names + 1; k < f->count; ++k) {
-    const size_t count = split(f, k, f->separator);
+    const size_t count = is_comment(&f->lines[k]) ? 0 : split(f, k, f->separator);
     for (size_t i = 0; i < count; ++i)
       for (int comma = 0; comma < 2; ++comma) {
         if (!write_number(f->cells[i], comma ? ',' : '.', number, sizeof number))
@@ -290,10 +297,9 @@ static void add_names(form *f, po_text *text) {
 
 /* Adds a row; one that is malformed stays as it is, and is refused by the reader. */
 static void add_row(form *f, size_t k, po_text *text) {
-  size_t count = split(f, k, f->separator);
-  count -= count == f->columns + 1 && !*f->cells[f->columns];
+  const size_t count = without_end(f, split(f, k, f->separator), f->columns);
   for (size_t i = 0; i < count; ++i) {
-    char number[64];
+    char number[PO_NUMBER_LONGEST];
     const char mark = f->decimal_comma ? ',' : '.';
     const bool is = write_number(f->cells[i], mark, number, sizeof number);
     add_cell(text, is ? number : f->cells[i], i == 0);
@@ -312,31 +318,16 @@ static void add_preamble(const form *f, size_t k, po_text *text) {
   po_text_add_bytes(text, line->at, line->length);
 }
 
-/* Whether the names are where a plain table has them. */
-static bool is_plain(const form *f) {
-  if (f->separator != ',' || f->decimal_comma || is_comment(&f->lines[f->names]))
-    return false;
-  for (size_t k = 0; k < f->names; ++k)
-    if (f->wanted || !(is_comment(&f->lines[k]) || is_blank(&f->lines[k])))
-      return false;
-  return true;
-}
-
 static void write(form *f, po_text *text) {
-  const bool plain = is_plain(f);
-  size_t end = f->count; /* comments after the rows are left out */
-  while (f->wanted && end > f->names + 1 &&
-         (is_blank(&f->lines[end - 1]) || is_comment(&f->lines[end - 1])))
-    --end;
   for (size_t k = 0; k < f->count; ++k) {
     const span *line = &f->lines[k];
     if (k == f->names)
       add_names(f, text);
     else if (k < f->names)
       add_preamble(f, k, text);
-    else if (k < end && plain && !strchr(SEPARATORS, line->at[line->length ? line->length - 1 : 0]))
-      po_text_add_bytes(text, line->at, line->length);
-    else if (k < end && !is_blank(line))
+    else if (is_comment(line))
+      po_text_add_bytes(text, line->at, f->wanted ? 1 : line->length);
+    else if (!is_blank(line))
       add_row(f, k, text);
     po_text_add(text, "\n");
   }

@@ -14,7 +14,8 @@ size_t po_csv_split(char *line, char separator, char **cells, size_t most);
 /* Rewrites a table as po_csv.h describes it: UTF-8, lines that end in LF, names of columns first,
  * commas between the cells, decimal points. Each line stays a line. Read are: UTF-16 with a byte
  * order mark; CR as the end of lines; no newline after the last line; semicolons, tabs or blanks
- * between the cells; decimal commas; an empty cell after the last; a first column without a name,
+ * between the cells; decimal commas; empty cells after the last; no-break spaces
+ * around cells; comments between the rows, if columns are wanted; a first column without a name,
  * which is then named index; lines of text before the names; names behind a #. Given: `name` of the
  * file in messages; `wanted`, words with which names of columns begin, ended by NULL, that the line
  * of names must have: lines before it are then left out; NULL: the line of names is the first line

@@ -3,6 +3,14 @@
 #include <stdbool.h>
 #include <string.h>
 
+size_t po_encoding_blank(const char *text) {
+  static const char *const BLANKS[] = {"\u00A0", "\u2007", "\u2009", "\u202F"};
+  for (size_t i = 0; i < sizeof BLANKS / sizeof *BLANKS; ++i)
+    if (strncmp(text, BLANKS[i], strlen(BLANKS[i])) == 0)
+      return strlen(BLANKS[i]);
+  return 0;
+}
+
 static void add_character(po_text *text, unsigned long code) {
   const int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
   static const unsigned char FIRST[] = {0, 0xC0, 0xE0, 0xF0};
@@ -54,9 +62,12 @@ po_status po_encoding_decode(const char *name, po_text *text) {
                    "%s is not a text file: it contains a NUL byte, as UTF-16 without a byte order "
                    "mark does: expected UTF-8",
                    name);
-  if (!text->failed && !strchr(text->data, '\n'))
-    for (char *end = text->data; (end = strchr(end, '\r'));)
-      *end = '\n';
+  for (char *end = text->failed ? NULL : strchr(text->data, '\r'); end; end = strchr(end, '\r')) {
+    const size_t count = strspn(end, "\r");
+    if (end[count] != '\n' && (end == text->data || end[-1] != '\n'))
+      memset(end, '\n', count);
+    end += count;
+  }
   if (!text->failed && text->length && text->data[text->length - 1] != '\n')
     po_text_add(text, "\n");
   return text->failed ? PO_NO_MEMORY : PO_OK;

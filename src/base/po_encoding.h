@@ -5,10 +5,14 @@
 #include "po_status.h"
 #include "po_text.h"
 
-/* Makes UTF-8 of UTF-16 with a byte order mark, line feeds of lone carriage returns, and adds a
- * line feed at the end. Other text, and invalid UTF-8, stays as it is. Given: `name` of the file in
- * messages. Status: PO_CANNOT_READ (UTF-32, an odd number of bytes of UTF-16, a NUL byte),
- * PO_NO_MEMORY. */
+/* Returned: the bytes of the no-break or thin space (U+00A0, U+2007, U+2009, U+202F) with which a
+ * text in UTF-8 begins, as word processors write between digits; 0 if it begins with none. */
+size_t po_encoding_blank(const char *text);
+
+/* Makes UTF-8 of UTF-16 with a byte order mark, line feeds of carriage returns that
+ * are not beside one, and adds a line feed at the end. Other text, and invalid UTF-8, stays as
+ * it is. Given: `name` of the file in messages. Status: PO_CANNOT_READ (UTF-32, an odd number of
+ * bytes of UTF-16, a NUL byte), PO_NO_MEMORY. */
 po_status po_encoding_decode(const char *name, po_text *text);
 
 #endif

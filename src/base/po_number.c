@@ -1,10 +1,13 @@
 #include "po_number.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "po_encoding.h"
 
 void po_number_print(double value, char text[PO_NUMBER_LENGTH]) {
   if (isnan(value)) {
@@ -59,6 +62,32 @@ bool po_number_parse(const char *text, double *value) {
     return false;
   *value = number;
   return true;
+}
+
+const char *po_number_fault(const char *text) {
+  static const char DIGITS[] = "0123456789";
+  char number[PO_NUMBER_LONGEST];
+  double value = 0;
+  size_t length = strspn(text, "+-.,eE0123456789");
+  while (length && !strchr(DIGITS, text[length - 1]))
+    --length;
+  if (!length || length >= sizeof number)
+    return "";
+  memcpy(number, text, length);
+  number[length] = '\0';
+  char *comma = strchr(number, ','), *point = strchr(number, '.');
+  const char *rest = text + length + strspn(text + length, "' ");
+  rest += po_encoding_blank(rest);
+  if ((comma && point) || (rest > text + length && *rest && strchr(DIGITS, *rest)))
+    return "; it has marks or blanks between thousands";
+  if (comma)
+    *comma = '.';
+  if (!po_number_parse(number, &value))
+    return "";
+  if (isalpha((unsigned char)*rest) || (*rest && strchr("%[(", *rest)) ||
+      ((unsigned char)*rest >= 0x80 && strncmp(rest, "\u00B1", 2) != 0))
+    return "; a unit or other text follows the number";
+  return comma && !text[length] ? "; it has a comma in place of a decimal point" : "";
 }
 
 bool po_number_parse_count(const char *text, size_t *value) {

@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "po_number.h"
+
 /* Longer words are not compared. */
 enum { LONGEST = 32 };
 
@@ -78,6 +80,9 @@ static bool find(const char *given, size_t length, const char *known, const char
 }
 
 po_status po_suggest(po_status status, const char *given, const char *known) {
+  const char *number = strstr(known, "number");
+  if (number && number[strlen("number")] != 's' && *po_number_fault(given))
+    return po_fail(status, "%s%s", po_message(), po_number_fault(given));
   given += strspn(given, "-");
   for (size_t length; *given; given += length + (given[length] == ',')) {
     const char *name = NULL;

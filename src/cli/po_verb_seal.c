@@ -1,9 +1,9 @@
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "po_csv_form.h"
 #include "po_file.h"
 #include "po_options.h"
 #include "po_quote.h"
@@ -17,7 +17,8 @@ static const char HELP[] =
     "and writes the checksum. Use it only for a table whose numbers you have just checked: a "
     "table\n"
     "with a correct checksum counts as undamaged. A table with nan or text in a column of numbers\n"
-    "is refused. Options are needed for the headers that the files do not have; they replace "
+    "is refused; one with semicolons, decimal commas or UTF-16 is written with commas and points.\n"
+    "Options are needed for the headers that the files do not have; they replace "
     "those\n"
     "that they have. reference/README.md describes the headers.\n"
     "\n"
@@ -72,9 +73,8 @@ static int find_name(const char *key, size_t length) {
  * checksum, and all others. Returned: in `had`, the headers that the file keeps. */
 static void split(char *bytes, const char *const values[HEADERS], po_text *header, po_text *rows,
                   bool had[HEADERS]) {
-  char *at = bytes + po_quote_mark(bytes);
-  while (*at) {
-    const size_t length = strcspn(at, "\r\n");
+  for (char *at = bytes; *at;) {
+    const size_t length = strcspn(at, "\n");
     const char end = at[length];
     at[length] = '\0';
     const char *key = "";
@@ -151,25 +151,27 @@ static po_status replace(const char *path, const po_text *text) {
   return status ? status : po_file_write(path, text->data, text->length);
 }
 
-/* Writes the table back with complete headers and its checksum. A byte order mark and the line ends
- * of other systems are removed. Given: `values`, for each header its text, or
+/* Writes the table back with complete headers and its checksum. The file becomes a plain
+ * table (po_csv_form.h). Given: `values`, for each header its text, or
  * NULL; a header that the file has is replaced if a text is given. generator, command and date have
  * defaults. Status: PO_BAD_INPUT if headers are missing, all of which the message names;
  * PO_CANNOT_READ (the file, or what makes it no table, with its line: also a cell that is no number
  * in a column of numbers); PO_CANNOT_WRITE; the file is then unchanged. */
 static po_status seal(const char *path, const char *const values[HEADERS]) {
-  char *bytes = NULL, digest[PO_DIGEST_LENGTH];
-  size_t size = 0;
+  char digest[PO_DIGEST_LENGTH], separator = 0;
   bool had[HEADERS] = {false};
-  po_text header = {0}, rows = {0}, text = {0};
+  po_text found = {0}, header = {0}, rows = {0}, text = {0};
   for (int i = 0; i < HEADERS; ++i)
     if (values[i] && (strchr(values[i], '\n') || po_quote_find(values[i], strlen(values[i]))))
       return po_fail(PO_BAD_INPUT,
                      "--%s has several lines or a control character: expected one line",
                      OPTIONS[i].name);
-  po_status status = po_file_read(path, &bytes, &size);
+  po_status status = po_file_read(path, &found.data, &found.length);
+  found.capacity = found.length + 1;
+  if (!status)
+    status = po_csv_make_plain(path, NULL, &found, &separator);
   if (!status) {
-    split(bytes, values, &header, &rows, had);
+    split(found.data, values, &header, &rows, had);
     status = refuse_missing(path, values, had);
   }
   if (!status) {
@@ -177,7 +179,7 @@ static po_status seal(const char *path, const char *const values[HEADERS]) {
     po_csv_seal(&header, &rows, &text, digest);
     status = replace(path, &text);
   }
-  free(bytes);
+  po_text_clear(&found);
   po_text_clear(&header);
   po_text_clear(&rows);
   po_text_clear(&text);

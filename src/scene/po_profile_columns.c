@@ -2,6 +2,9 @@
 
 #include <string.h>
 
+#include "po_quote.h"
+#include "po_text.h"
+
 static const char *const WANTED[] = {"r", "gap", NULL};
 
 static const struct {
@@ -25,19 +28,31 @@ static int find(const po_csv *csv, const char *word, int *column, int *unit) {
   return found;
 }
 
+/* Writes the names as they are in the file, as far as there is space. */
+static void list_names(const po_csv *csv, size_t size, char *text) {
+  po_text list = {0};
+  for (size_t c = 0; c < csv->column_count && list.length < size; ++c)
+    po_text_add(&list, "%s%s", c ? " | " : "", csv->columns[c]);
+  po_quote_text(po_text_string(&list), text, size);
+  po_text_clear(&list);
+}
+
 static po_status find_columns(const po_csv *csv, po_profile_columns *columns) {
   int r = 0, gap = 0;
   const int radii = find(csv, WANTED[0], &columns->r, &r);
   const int gaps = find(csv, WANTED[1], &columns->gap, &gap);
-  if (!radii || !gaps)
+  if (!radii || !gaps) {
+    char names[200];
+    list_names(csv, sizeof names, names);
     return po_fail(PO_CANNOT_READ,
                    "%s:%zu: of the columns r and gap, with or without a unit (r_um, gap_nm), %s "
-                   "missing in this line of names, which are separated by %s",
+                   "missing in this line of names, which are separated by %s: %s",
                    csv->path, csv->column_line,
                    radii  ? "gap is"
                    : gaps ? "r is"
                           : "both are",
-                   po_csv_separated(csv));
+                   po_csv_separated(csv), names);
+  }
   if (radii > 1 || gaps > 1)
     return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is given in several units: expected one",
                    csv->path, csv->column_line, radii > 1 ? "r" : "gap");

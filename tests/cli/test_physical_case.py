@@ -105,7 +105,7 @@ BOTH = ("expected none of tabor, amplitude, wavelength, radius, outer_radius, th
     (2, "9: sweep[[]1].key is radius: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: radius, values: [50, 100]}]"}),
     (2, "9: sweep[[]1].key is alpha: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: alpha, values: [1]}]"}),
     (2, "5: scene.physical.modulus_pa is -1: expected a finite number > 0, or inf", "modulus_pa: -1, " + BODY, {}),
-    (2, "5: scene.physical.modulus_pa is 1 GPa: expected a finite number > 0, or inf", "modulus_pa: 1 GPa, " + BODY, {}),
+    (2, "5: scene.physical.modulus_pa is 1 GPa: expected a finite number > 0, or inf; a unit or other text follows the number", "modulus_pa: 1 GPa, " + BODY, {}),
     (2, "5: scene.physical.radius_m is missing: expected a finite number > 0; a scene in SI units has *",
      "modulus_pa: 1e9, work_j_per_m2: 0.05, distance_m: 3e-10", {}),
     (2, "8: scene.preload_load is 1: expected only this key, or that of scene.physical",

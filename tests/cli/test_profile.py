@@ -152,6 +152,14 @@ FORMS = {
     "other columns": written("\t", ",", names=("time", "gap", "note", "r"), rows=[["1.5", g, "a b", r] for r, g in [
         (repr(r), repr(g)) for r, g in BODY]]),
     "exponents": written(";", ",", rows=[[f"{r:.17E}", f"{g:.17e}"] for r, g in BODY]),
+    "CR and CR LF": written().replace("\n", "\r", 9).replace("\n", "\r\n"), "CR, and LF at the end": written(end="\r")[:-1] + "\n",
+    "no-break and thin spaces": written("\u2009").replace("\n6.0", "\n\u00a06.0\u202f"), "in a plain table": written().replace("\n6.0", "\n\u00a06.0"),
+    "columns of a spreadsheet to the right": written(";", ",", names=("r", "gap", "", "", ""), rows=[[*row, "", "", ""] for row in SPOTS]),
+    # a row that is commented out was data if the table was not plain, and its comma a decimal comma
+    "comments between rows": written(";").replace("\n6.0;", "\n# 5.0;9,9\n6.0;"), "in a plain table too": written().replace("\n6.0,", "\n#5.0,9\n6.0,"),
+    # digits beyond the 63rd were left out, and with them the exponent
+    "long numbers": written(";", ",", rows=[[f"{r!r}{'0' * 90}e+0", f"{g!r}{'0' * 90}"] for r, g in BODY[:1]] + [
+        [f"{r * 10:.70f}e-1", repr(g)] for r, g in BODY[1:]]),
     "a minus of typesetters": written(";", ",", names=("x", "r", "gap"), rows=[["\u22121.5", *row[1:]] for row in NUMBERED])}
 
 
@@ -187,12 +195,15 @@ def test_tables_as_instruments_write_them():
     (" is not a text file: it contains a NUL byte, as UTF-16 without a byte order mark does: expected UTF-8", written().encode("utf-16-le")),
     (" is text in UTF-16 with an odd number of bytes: the file is truncated", written().encode("utf-16")[:-1]),
     ("1: of the columns r and gap, with or without a unit (r_um, gap_nm), both are missing in this line of names, which are separated by "
-     "semicolons", written(";", names=("radius", "height"))),
-    ("1: of the columns r and gap, *, gap is missing in this line of names, which are separated by tabs", written("\t", names=("r", "height"))),
+     "semicolons: radius | height", written(";", names=("radius", "height"))),
+    ("1: of the columns r and gap, *, gap is missing in this line of names, which are separated by tabs: r | height", written("\t", names=("r", "height"))),
     ("1: the column 1 is named 0.0: expected a line with the names of the columns before the rows", written()[6:]),
-    ("6: gap is 0.72 nm: expected a finite number", written(";").replace("0.72", "0.72 nm")),
-    ("22: gap is 1.234,5: expected a finite number", written(";", ",").replace(";18,0", ";1.234,5")),
+    ("6: gap is 0.72 nm: expected a finite number; a unit or other text follows the number", written(";").replace("0.72", "0.72 nm")),
+    ("22: gap is 1.234,5: expected a finite number; it has marks or blanks between thousands", written(";", ",").replace(";18,0", ";1.234,5")),
     ("1: the byte \\xb5 is a control character or not UTF-8: expected text", "r;gap;l\xb5\n".encode("latin-1") + written(";").encode()[6:]),
+    ("2: r is um: expected a finite number; units belong in the names of the columns, as in r_um", written().replace("gap\n", "gap\num,nm\n")),
+    ("6: gap is 1  500.5: expected a finite number; it has marks or blanks between thousands", written(";").replace("0.72", "1\u00a0500.5")),
+    ("1: column 2 has no name", written(";", names=("r", "", "gap"), rows=[[r, "1", g] for _, r, g in NUMBERED])),
     ("23: the last line has no newline: the file is truncated", "# sha256: 0\n" + written()[:-1]),
     ("1: the columns are r_um and gap: expected a unit in both names, or in none", written(names=("r_um", "gap"))),
     ("1: the column gap is given in several units: expected one", written(names=("r_m", "gap_nm", "gap_m"), rows=NUMBERED)),

@@ -275,6 +275,51 @@ START_TEST(csv_refuses_damage) {
 }
 END_TEST
 
+/* Regression: each name was compared with all before it, and a header of 100,000 lines took
+ * minutes, which the time limit of a test ends. */
+START_TEST(csv_finds_the_first_repeated_name_of_many) {
+  po_text text = {0};
+  po_csv csv;
+  for (int k = 0; k < 200000; ++k)
+    po_text_add(&text, "# key%d: %d\n", k == 170000 ? 9 : k == 180000 ? 3 : k, k);
+  po_text_add(&text, "a,b\n1,2\n");
+  ck_assert_int_eq(read_text(text.data, &csv), PO_CANNOT_READ);
+  ck_assert_str_eq(po_message(), "t.csv:170001: the header key9 is given twice");
+  po_text_clear(&text);
+  for (int k = 0; k < 200000; ++k)
+    po_text_add(&text, "%sc%d", k ? "," : "", k == 170000 ? 9 : k == 180000 ? 3 : k);
+  po_text_add(&text, "\n");
+  ck_assert_int_eq(read_text(text.data, &csv), PO_CANNOT_READ);
+  ck_assert_str_eq(po_message(), "t.csv:1: the column c9 is given twice");
+  po_text_clear(&text);
+}
+END_TEST
+
+static const struct {
+  const char *text, *fault;
+} FAULTS[] = {{"1,5", "; it has a comma in place of a decimal point"},
+              {"-1,5e-6", "; it has a comma in place of a decimal point"},
+              {"1.5 nm", "; a unit or other text follows the number"},
+              {"1,5nm", "; a unit or other text follows the number"},
+              {"2 [m]", "; a unit or other text follows the number"},
+              {"7 \u00B5m", "; a unit or other text follows the number"},
+              {"1,234.5", "; it has marks or blanks between thousands"},
+              {"1.234,5", "; it has marks or blanks between thousands"},
+              {"1\u00A0234", "; it has marks or blanks between thousands"},
+              {"1'234", "; it has marks or blanks between thousands"},
+              {"-1", ""},
+              {"1e400", ""},
+              {"0.05+-0.01", ""},
+              {"0.05\u00B10.01", ""},
+              {"1,2,3", ""},
+              {"", ""},
+              {"nm", ""}};
+
+START_TEST(number_faults_are_named) {
+  ck_assert_str_eq(po_number_fault(FAULTS[_i].text), FAULTS[_i].fault);
+}
+END_TEST
+
 START_TEST(csv_rows_read_back_exactly) {
   const double values[] = {0.1, 1.0 / 3.0, -2.385e-300};
   po_text text = {0};
@@ -342,6 +387,8 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, number_prints_short_and_exact, 0, COUNT(PRINTED));
   tcase_add_test(tests, number_prints_what_is_not_finite);
   tcase_add_loop_test(tests, number_parses_strictly, 0, COUNT(PARSED));
+  tcase_add_loop_test(tests, number_faults_are_named, 0, COUNT(FAULTS));
+  tcase_add_test(tests, csv_finds_the_first_repeated_name_of_many);
   tcase_add_test(tests, number_takes_infinity_where_allowed);
   tcase_add_test(tests, digest_is_sha256);
   tcase_add_test(tests, the_place_of_a_number_among_others);
