@@ -84,7 +84,7 @@ const char *po_number_fault(const char *text) {
     *comma = '.';
   if (!po_number_parse(number, &value))
     return "";
-  if (isalpha((unsigned char)*rest) || (*rest && strchr("%[(", *rest)) ||
+  if ((isalpha((unsigned char)*rest) && *rest != 'x') || (*rest && strchr("%[(", *rest)) ||
       ((unsigned char)*rest >= 0x80 && strncmp(rest, "\u00B1", 2) != 0))
     return "; a unit or other text follows the number";
   return comma && !text[length] ? "; it has a comma in place of a decimal point" : "";

@@ -309,6 +309,7 @@ static const struct {
               {"1'234", "; it has marks or blanks between thousands"},
               {"-1", ""},
               {"1e400", ""},
+              {"0x10", ""},
               {"0.05+-0.01", ""},
               {"0.05\u00B10.01", ""},
               {"1,2,3", ""},
