@@ -114,11 +114,11 @@ static po_status refuse_many(const po_yaml *yaml, size_t line, int most, const c
 static po_status check_directives(const po_yaml *yaml, const char *bytes, size_t size) {
   size_t line = 1;
   int count = 0;
-  for (const char *at = bytes, *end = bytes + size; at && at < end; ++line) {
+  for (const char *at = bytes, *end = bytes + size; at < end; ++line) {
     if (*at == '%' && ++count > MOST_DIRECTIVES)
       return refuse_many(yaml, line, MOST_DIRECTIVES, "lines that begin with %");
-    at = memchr(at, '\n', (size_t)(end - at));
-    at += at != NULL;
+    const char *stop = memchr(at, '\n', (size_t)(end - at));
+    at = stop ? stop + 1 : end;
   }
   return PO_OK;
 }
