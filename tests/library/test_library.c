@@ -85,7 +85,8 @@ START_TEST(wrong_values_are_refused) {
     const char *key, *value, *message;
   } wrong[] = {
       {"tabor", "-1", "tabor is -1: expected a finite number >= 0"},
-      {"tabor", "0,5", "tabor is 0,5: expected a finite number >= 0"},
+      {"tabor", "0,5",
+       "tabor is 0,5: expected a finite number >= 0; it has a comma in place of a decimal point"},
       {"scheme", "square", "scheme is square: expected ring, triangle or panel"},
       {"taber", "1",
        "unknown key taber of a scene: expected one that pulloff_key_name names; did you mean "
