@@ -78,6 +78,22 @@ START_TEST(assumption_that_decides) {
 }
 END_TEST
 
+/* Waves shorten the length in which the stress intensity changes, by g''/g' at the contact edge.
+ * These are so low that the contact radius is that of the smooth sphere. */
+START_TEST(waves_make_the_zone_longer_relative_to_the_contact) {
+  const po_request request = request_of_tabor(40.0, 1e-3);
+  po_result result = result_of(1.0);
+  ck_assert_int_eq(PO_COMPANION_JKR.theories(&request, &result), PO_OK);
+  const double coupling = 40.0 * sqrt(0.4), a = cbrt(9.0 * M_PI / 8.0 * coupling * 1e4);
+  const double number = 2.0 * M_PI / 8.0;
+  const double of_waves = M_PI_2 * 1e-3 * number * number * sqrt(2.0 * number * a / M_PI),
+               rate = 3.0 * sqrt(0.5 * M_PI * coupling / a);
+  ck_assert_double_eq_tol(result.theories[PO_THEORY_JKR].number / zone_of_sphere(40.0),
+                          1.0 + a * of_waves / rate, 0.02);
+  po_result_clear(&result);
+}
+END_TEST
+
 /* Of a flat the Tabor parameter was taken at a gap of 0: JKR, 7 % off, did not hold, and rigid
  * bodies, 591 % off, did. The stress sqrt(E* w/b) over the greatest tension is 1/(q sqrt(c b)). */
 START_TEST(flat_by_its_stress) {
@@ -130,6 +146,7 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_test(tests, deviation_and_its_error);
+  tcase_add_test(tests, waves_make_the_zone_longer_relative_to_the_contact);
   tcase_add_loop_test(tests, assumption_that_decides, 0, 5);
   tcase_add_loop_test(tests, flat_by_its_stress, 0, 2);
   tcase_add_test(tests, failed_solve_has_forces_without_deviations);
