@@ -58,7 +58,7 @@ def entry(line, column):
     match = re.match(r"  (\S.*?) {2,}(\S.*)", line)
     if match:
         return match.groups()
-    return (line.strip(), "") if line.endswith(",") and line.startswith("  -") else None
+    return (line.strip(), "") if re.fullmatch(r"  -\S+( \S+)?(, -\S+( \S+)?)*,?", line) else None
 
 
 def joined(lines):

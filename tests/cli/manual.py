@@ -94,7 +94,7 @@ def check_values(program, root):
     for option, verb in (("--scheme", "solve"), ("--grading", "solve"), ("--law", "solve"), ("--profile", "solve"), ("--scale", "follow"),
                          ("--of", "follow"), ("--want", "solve"), ("--theory", "compare"), ("--key", "follow"), ("--suite", "list")):
         message = output(program, verb, option, "sugar").split("expected", 1)[1].split(";")[0]
-        named = set(re.findall(r"[a-z][a-z0-9-]+", message)) - {"any", "of", "or", "one", "in", "units", "commas", "between", "with"}
+        named = set(re.findall(r"[a-z][a-z0-9_-]+", message)) - {"any", "of", "or", "one", "in", "units", "commas", "between", "with"}
         bash, zsh = bash_values(root, program, verb, option), zsh_values(root, program, verb, option)
         tell(f"bash and zsh offer the same for {option}", sorted(bash ^ zsh))
         tell(f"completion offers the values of {option}", sorted(named ^ {value.rstrip(":") for value in bash}) or not bash)

@@ -16,7 +16,7 @@ _pulloff_values() {
     # shellcheck disable=SC2086 # words
     "$1" $verb "$3" '?' 2>&1 </dev/null
   done | sed "/^pulloff: \($3 is\|no theory is named\|no case belongs to the suite\) ?: expected /!d; s///; s/;.*//
-    s/^\(one\|any\) of //; s/or in SI units //; s/, or \| or \|, /\n/g" | sed 's/:.*/:/' | grep -x '[a-z][a-z0-9-]*:\?' | sort -u
+    s/^\(one\|any\) of //; s/or in SI units //; s/, or \| or \|, /\n/g" | sed 's/:.*/:/' | grep -x '[a-z][a-z0-9_-]*:\?' | sort -u
 }
 
 # The lengths that --from-physical takes in metres, as --NAME-m.
