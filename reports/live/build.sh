@@ -40,21 +40,23 @@ for header in gsl nettle jansson.h jansson_config.h; do ln -sfn "/usr/include/$h
 : >"$at/include/config.h"
 : >"$at/include/jansson_private_config.h"
 
-# write_ninja: prints the rules of the module. Every source file of the rooms of libpulloff is in it, except for those that
+# write_ninja: prints the rules of the module. Every source file of the modules of libpulloff is in it, except for those that
 # use OpenBLAS or a file system (machine/machine.c).
+folder_of() { find src -type d -name "$1"; }
 version=$(sed -n "s/^ *version: '\(.*\)',/\1/p" meson.build)
-rooms='library format series'
+modules='library json series'
 found=
-while [ "$rooms" != "$found" ]; do # with the rooms on which these depend
-  found=$rooms
-  rooms=$(for room in $found; do
-    echo "$room"
-    sed -n "s/^  \['$room', \[\([^]]*\)\].*/\1/p" src/meson.build | tr -d "',+" | tr ' ' '\n'
-  done | sort -u | while read -r room; do [ ! -d "src/$room" ] || echo "$room"; done)
+while [ "$modules" != "$found" ]; do # with the modules on which these depend
+  found=$modules
+  modules=$(for module in $found; do
+    echo "$module"
+    sed -n "s|^  \['\([a-z]*/\)*$module', \[\([^]]*\)\].*|\2|p" src/meson.build | tr -d "',+" | tr ' ' '\n'
+  done | sort -u | while read -r module; do [ -z "$(folder_of "$module")" ] || echo "$module"; done)
 done
+folders=$(for module in $modules; do folder_of "$module"; done)
 write_ninja() {
   include='-Ireports/live/machine'
-  for room in $rooms; do include="$include -Isrc/$room"; done
+  for folder in $folders; do include="$include -I$folder"; done
   cat <<NINJA
 builddir = $at
 flags = --target=wasm32-wasi -O3 -msimd128 -DNDEBUG -ffp-contract=off -fno-math-errno -fvisibility=hidden -D_GNU_SOURCE $
@@ -76,8 +78,8 @@ NINJA
     objects="$objects $object"
     printf 'build %s: %s %s\n  more = %s\n' "$object" "$1" "$2" "${3:-}"
   }
-  for room in $rooms; do
-    for source in src/"$room"/*.c; do
+  for folder in $folders; do
+    for source in "$folder"/*.c; do
       case $source in */po_linear.c | */po_linear_start.c | */po_file.c) continue ;; esac
       add own "$source"
     done

@@ -47,7 +47,7 @@ void *po_allocate(size_t count, size_t size) {
 
 /* Each array follows the address of the one that was allocated before, on a cache line of its own,
  * which takes the place of `extra` objects. */
-void *po_arrays_reserve(po_arrays *arrays, size_t count, size_t size) {
+void *po_arena_reserve(po_arena *arrays, size_t count, size_t size) {
   const size_t extra = CACHE_LINE / size + 1;
   void **block = po_reserve(count < SIZE_MAX - extra ? count + extra : SIZE_MAX, size);
   if (!block) {
@@ -59,17 +59,17 @@ void *po_arrays_reserve(po_arrays *arrays, size_t count, size_t size) {
   return (char *)block + CACHE_LINE;
 }
 
-void *po_arrays_allocate(po_arrays *arrays, size_t count, size_t size) {
-  void *array = po_arrays_reserve(arrays, count, size);
+void *po_arena_allocate(po_arena *arrays, size_t count, size_t size) {
+  void *array = po_arena_reserve(arrays, count, size);
   return array ? memset(array, 0, count * size) : NULL;
 }
 
-void po_arrays_free(po_arrays *arrays) {
+void po_arena_free(po_arena *arrays) {
   for (void **block = arrays->last, **before; block; block = before) {
     before = *block;
     free(block);
   }
-  *arrays = (po_arrays){0};
+  *arrays = (po_arena){0};
 }
 
 void *po_resize(void *array, size_t count, size_t size) {

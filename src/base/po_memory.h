@@ -24,15 +24,15 @@ void *po_reserve_matrix(void *matrix, size_t *room, size_t n, size_t size);
 typedef struct {
   void *last;
   bool ran_out; /* an allocation failed since the arrays were freed last */
-} po_arrays;
+} po_arena;
 
 /* As po_allocate and po_reserve, but the memory belongs to the arrays, and free() must not be
  * called. Given: size, > 0. */
-void *po_arrays_allocate(po_arrays *arrays, size_t count, size_t size);
-void *po_arrays_reserve(po_arrays *arrays, size_t count, size_t size);
+void *po_arena_allocate(po_arena *arrays, size_t count, size_t size);
+void *po_arena_reserve(po_arena *arrays, size_t count, size_t size);
 
 /* Frees all arrays; others may then be allocated. */
-void po_arrays_free(po_arrays *arrays);
+void po_arena_free(po_arena *arrays);
 
 /* As realloc, with a check for overflow. The memory is not aligned: it is meant for records, not
  * for linear algebra. Returned: NULL with a message on failure; then the old array is unchanged. */

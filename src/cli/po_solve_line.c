@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "po_live.h"
-#include "po_observe.h"
+#include "po_solve.h"
 
 po_solve_line po_solve_line_begin(void) {
   return (po_solve_line){.request = po_input_default(), .scene = po_scene_options_begin()};
@@ -39,11 +39,11 @@ static bool is_output(const char *file) {
 
 po_status po_solve_line_end(po_solve_line *line) {
   po_request *request = &line->request;
-  po_given *given = &line->scene.given;
+  po_texts *given = &line->scene.given;
   po_solve_line_add_wants(line);
-  po_status status = po_given_read(given, request);
+  po_status status = po_texts_read(given, request);
   if (!status)
-    status = po_given_check_waves(given);
+    status = po_texts_check_waves(given);
   if (status)
     return status;
   if (!line->warned)
@@ -70,12 +70,12 @@ static void show_point(void *watcher, double approach, double load) {
                load);
 }
 
-po_status po_solve_line_observe(po_solve_line *line, po_result *result) {
+po_status po_solve_line_solve(po_solve_line *line, po_result *result) {
   solve_progress progress = {.live = po_live_begin(false)};
   line->request.stop = po_interrupt_listen();
   line->request.watch = show_point;
   line->request.watcher = &progress;
-  const po_status status = po_observe(&line->request, result);
+  const po_status status = po_solve(&line->request, result);
   po_live_end(&progress.live);
   if (status && !result->reason[0])
     snprintf(result->reason, sizeof result->reason, "%.250s", po_message());

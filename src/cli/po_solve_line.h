@@ -45,6 +45,6 @@ po_status po_solve_line_end(po_solve_line *line);
 
 /* Solves the scene; a solve of more than a second shows its progress on a terminal. Returned: the
  * result, to be cleared whatever the status; its reason is that of a failure. */
-po_status po_solve_line_observe(po_solve_line *line, po_result *result);
+po_status po_solve_line_solve(po_solve_line *line, po_result *result);
 
 #endif

@@ -127,7 +127,7 @@ static po_status print(const po_solve_line *line, const po_result *result) {
 static int compare(po_solve_line *line, const po_theory *only) {
   po_result result = {0};
   line->request.want |= PO_WANT_THEORIES;
-  const po_status solved = po_solve_line_observe(line, &result);
+  const po_status solved = po_solve_line_solve(line, &result);
   po_status status = solved ? PO_OK : check_row(&result, only);
   if (!status) {
     keep(&result, only);

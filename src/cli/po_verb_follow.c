@@ -171,9 +171,9 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
   *request = po_input_default();
   request->mesh.scheme = PO_PANEL;
   request->stop = po_interrupt_listen();
-  po_status status = po_given_read(&scene->given, request);
+  po_status status = po_texts_read(&scene->given, request);
   if (!status)
-    status = po_given_check_waves(&scene->given);
+    status = po_texts_check_waves(&scene->given);
   if (!status && point == 0)
     po_scene_options_warn(&scene->given);
   return status ? status : po_request_check(request);
@@ -198,10 +198,10 @@ static po_status compute(const follow_line *line, po_request *requests, po_resul
   if (!marks)
     return PO_NO_MEMORY;
   const po_status status =
-      line->folds
-          ? po_series_folds(requests, count, results)
-          : po_series_observe(requests, count,
-                              line->checkpoints ? line->checkpoints : PO_CHECKPOINT_EVERY, results);
+      line->folds ? po_series_folds(requests, count, results)
+                  : po_series_pull_offs(requests, count,
+                                        line->checkpoints ? line->checkpoints : PO_CHECKPOINT_EVERY,
+                                        results);
   po_live_end(&progress.live);
   free(marks);
   return status;

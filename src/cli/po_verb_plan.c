@@ -5,12 +5,12 @@
 #include "po_catalog.h"
 #include "po_environment.h"
 #include "po_memory.h"
-#include "po_observe.h"
 #include "po_options.h"
 #include "po_order.h"
 #include "po_pins.h"
 #include "po_plan.h"
 #include "po_print.h"
+#include "po_solve.h"
 #include "po_text.h"
 #include "po_verbs.h"
 

@@ -345,7 +345,7 @@ static po_status take_operands(po_solve_line *line, const po_options *options, c
 /* Solves the scene and plots it. */
 static po_status plot(po_solve_line *line) {
   po_result result = {0};
-  po_status status = po_solve_line_observe(line, &result);
+  po_status status = po_solve_line_solve(line, &result);
   if (!status)
     status = po_plot_show(po_plot_of_solve(&line->request, &result), line->plot);
   po_result_clear(&result);
@@ -353,7 +353,7 @@ static po_status plot(po_solve_line *line) {
 }
 
 /* Whether the preload is inf, for which there is no hysteresis. */
-static bool seeks_all(const po_given *given) {
+static bool seeks_all(const po_texts *given) {
   const char *preload = given->text[given->si ? PO_KEY_PRELOAD_M : PO_KEY_PRELOAD];
   return preload && strcmp(preload, "inf") == 0;
 }

@@ -4,12 +4,12 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "po_deadline.h"
 #include "po_memory.h"
 #include "po_print.h"
 #include "po_solve_line.h"
 #include "po_tables.h"
 #include "po_verbs.h"
-#include "po_watch.h"
 
 static const char HELP[] =
     "Usage: pulloff solve [OPTION]...\n"
@@ -224,7 +224,7 @@ static po_status draw(const po_solve_line *line, const po_result *result) {
   again.request.want = (line->request.want & PO_PLOT_WANTS) | PO_WANT_CURVE;
   again.request.search = PO_SEARCH_NONE;
   po_result drawn = {0};
-  po_status status = po_solve_line_observe(&again, &drawn);
+  po_status status = po_solve_line_solve(&again, &drawn);
   if (!status)
     status = po_plot_show(po_plot_of_solve(&again.request, &drawn), line->plot);
   po_result_clear(&drawn);
@@ -254,20 +254,20 @@ static const double LONGEST_THEORIES = 0.5;
 
 /* Evaluates the theories for their line, if they are not wanted as a result. */
 static void evaluate_theories(const po_request *request, po_result *result) {
-  const po_watch before = po_watch_begin(request->stop, po_clock_thread() + LONGEST_THEORIES);
+  const po_deadline before = po_deadline_begin(request->stop, po_clock_thread() + LONGEST_THEORIES);
   const double begin = po_clock_wall();
   if (!result->theories)
-    request->companion->theories(request, result);
+    request->theories->theories(request, result);
   const double beside = po_clock_wall() - begin;
   result->seconds_beside += beside;
   result->work.seconds += beside;
-  po_watch_end(before);
+  po_deadline_end(before);
   po_message_clear();
 }
 
 static int solve(po_solve_line *line) {
   po_result result = {0};
-  const po_status solved = po_solve_line_observe(line, &result);
+  const po_status solved = po_solve_line_solve(line, &result);
   if (!solved && !line->json)
     evaluate_theories(&line->request, &result);
   po_status status = print_result(line, &result);

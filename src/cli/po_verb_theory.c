@@ -70,16 +70,16 @@ static const po_option OPTIONS[] = {
 /* Refuses options that have no effect on the form. */
 static po_status check_use(const po_theory_line *l, const po_form *form) {
   const unsigned takes = po_form_takes(form, !isnan(l->alpha));
-  po_use others[] = {{"--approach", po_given_has(&l->options.given, PO_KEY_APPROACH),
+  po_use others[] = {{"--approach", po_texts_has(&l->options.given, PO_KEY_APPROACH),
                       form->variable == PO_FORM_AT_APPROACH},
-                     {"--contact-radius", po_given_has(&l->options.given, PO_KEY_CONTACT_RADIUS),
+                     {"--contact-radius", po_texts_has(&l->options.given, PO_KEY_CONTACT_RADIUS),
                       form->variable == PO_FORM_AT_CONTACT_RADIUS},
                      {"--alpha", !isnan(l->alpha), takes & PO_TAKES_ALPHA},
                      {"--gap", !isnan(l->gap), form->variable == PO_FORM_AT_GAP},
                      {"--tension", !isnan(l->tension), takes & PO_TAKES_TENSION}};
   for (size_t i = 0; i < 2 && l->request.in_si; ++i)
     strcat(others[i].name, "-m");
-  return po_given_check_form(&l->options.given, form, !isnan(l->alpha), others,
+  return po_texts_check_form(&l->options.given, form, !isnan(l->alpha), others,
                              sizeof others / sizeof *others);
 }
 
@@ -106,29 +106,29 @@ static po_status check_values(const po_theory_line *l, const po_form *form) {
 
 /* Computes the scene and alpha from the options, and refuses options that are missing. */
 static po_status complete(po_theory_line *l, const po_form *form) {
-  po_given *given = &l->options.given;
+  po_texts *given = &l->options.given;
   const po_scene *scene = &l->request.scene;
   const bool has_alpha = !isnan(l->alpha);
   given->any_modulus = !(form->needs & PO_NEEDS_ELASTIC);
   given->any_radius = form->variable == PO_FORM_AT_GAP;
-  po_status status = po_given_read(given, &l->request);
+  po_status status = po_texts_read(given, &l->request);
   if (!status)
     status = check_use(l, form);
   if (status)
     return status;
-  l->approach = po_given_number(given, PO_KEY_APPROACH, &l->request.units);
-  l->contact_radius = po_given_number(given, PO_KEY_CONTACT_RADIUS, &l->request.units);
+  l->approach = po_texts_number(given, PO_KEY_APPROACH, &l->request.units);
+  l->contact_radius = po_texts_number(given, PO_KEY_CONTACT_RADIUS, &l->request.units);
   po_scene_options_warn(given);
-  if (po_given_is_general(given, form, scene)) {
+  if (po_texts_is_general(given, form, scene)) {
     const po_status wrong = po_scene_check(scene);
     return wrong ? wrong : check_elastic(l, form);
   }
-  const bool has_amplitude = po_given_has(given, PO_KEY_AMPLITUDE);
+  const bool has_amplitude = po_texts_has(given, PO_KEY_AMPLITUDE);
   const bool waves =
-      has_amplitude && (scene->amplitude == 0.0 || po_given_has(given, PO_KEY_WAVELENGTH));
+      has_amplitude && (scene->amplitude == 0.0 || po_texts_has(given, PO_KEY_WAVELENGTH));
   char amplitude[PO_KEY_NAME_LENGTH], wavelength[PO_KEY_NAME_LENGTH];
-  po_given_name(given, PO_KEY_AMPLITUDE, amplitude);
-  po_given_name(given, PO_KEY_WAVELENGTH, wavelength);
+  po_texts_name(given, PO_KEY_AMPLITUDE, amplitude);
+  po_texts_name(given, PO_KEY_WAVELENGTH, wavelength);
   if (form->needs & PO_NEEDS_WAVES && !waves)
     return po_fail(PO_BAD_INPUT, "theory %s needs %s and %s", form->name, amplitude, wavelength);
   if (form->needs & PO_NEEDS_AMPLITUDE && !has_amplitude)
@@ -221,7 +221,7 @@ static po_status print_json(const po_theory_line *l, const char *name,
 static po_status print(const po_theory_line *l, const po_form *form) {
   const double variables[] = {(double)NAN, l->approach, l->contact_radius, l->gap};
   const po_form_input input = {l->request.scene, l->alpha, variables[form->variable], l->tension,
-                               po_given_is_general(&l->options.given, form, &l->request.scene)};
+                               po_texts_is_general(&l->options.given, form, &l->request.scene)};
   po_form_values values = {.count = 0};
   const po_status status = po_form_evaluate(form, &input, &values);
   if (status)

@@ -7,9 +7,9 @@
 #include <fenv.h>
 #include <locale.h>
 
-#include "po_given.h"
 #include "po_json_value.h"
 #include "po_result.h"
+#include "po_texts.h"
 
 struct pulloff_scene {
   char *text[PO_KEY_ALL]; /* the value of each key; NULL: not set */
@@ -53,7 +53,7 @@ po_status po_library_suggest(const char *key);
 
 /* The texts of a scene, which stay those of the scene, with a further value for one key; key -1:
  * none. It is in SI units if one of these is given; a key in another unit is then refused. */
-po_given po_library_given(const pulloff_scene *scene, int key, const char *value);
+po_texts po_library_given(const pulloff_scene *scene, int key, const char *value);
 
 /* The units of a request in SI units. */
 pulloff_units po_library_units(const po_request *request);

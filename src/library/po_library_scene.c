@@ -11,7 +11,7 @@
 #include "po_suggest.h"
 #include "po_text.h"
 
-/* The key that is not in the table of src/keys. */
+/* The key that is not in the table of src/text/keys. */
 enum { WANT = PO_KEY_VARIABLES, KEY_COUNT };
 
 const char *pulloff_version(void) {
@@ -156,8 +156,8 @@ pulloff_status pulloff_scene_set_number(pulloff_scene *scene, const char *key, d
                           message);
 }
 
-po_given po_library_given(const pulloff_scene *scene, int key, const char *value) {
-  po_given given = {.prefix = ""};
+po_texts po_library_given(const pulloff_scene *scene, int key, const char *value) {
+  po_texts given = {.prefix = ""};
   for (int k = 0; k < PO_KEY_ALL; ++k) {
     given.text[k] = k == key ? value : scene->text[k];
     given.si = given.si || (given.text[k] && PO_KEYS[k].owner == PO_OWNER_SI);
@@ -167,9 +167,9 @@ po_given po_library_given(const pulloff_scene *scene, int key, const char *value
 
 po_status po_library_request(const pulloff_scene *scene, int key, const char *value,
                              po_request *request) {
-  po_given given = po_library_given(scene, key, value);
+  po_texts given = po_library_given(scene, key, value);
   *request = po_input_default();
-  const po_status status = po_given_read(&given, request);
+  const po_status status = po_texts_read(&given, request);
   if (status)
     return status;
   request->want = scene->want;

@@ -8,9 +8,9 @@
 #include "po_json_digest.h"
 #include "po_library.h"
 #include "po_memory.h"
-#include "po_observe.h"
 #include "po_quote.h"
 #include "po_series.h"
+#include "po_solve.h"
 
 /* Whether a solve gave a result, complete or not. */
 static bool has_result(po_status status) {
@@ -21,9 +21,9 @@ static bool has_result(po_status status) {
  * scene may have until the other one is set. */
 static po_status request_of(const pulloff_scene *scene, int key, const char *value,
                             po_request *request) {
-  po_given given = po_library_given(scene, key, value);
+  po_texts given = po_library_given(scene, key, value);
   const po_status status = po_library_request(scene, key, value, request);
-  return status ? status : po_given_check_waves(&given);
+  return status ? status : po_texts_check_waves(&given);
 }
 
 static po_status solve(const pulloff_scene *scene, pulloff_result **result) {
@@ -32,7 +32,7 @@ static po_status solve(const pulloff_scene *scene, pulloff_result **result) {
   if (status)
     return status;
   po_result solved = {0};
-  status = po_observe(&request, &solved);
+  status = po_solve(&request, &solved);
   if (status && !solved.reason[0])
     snprintf(solved.reason, sizeof solved.reason, "%.250s", po_message());
   if (!has_result(status)) {
@@ -56,7 +56,7 @@ pulloff_status pulloff_solve(const pulloff_scene *scene, pulloff_result **result
 static po_status make_requests(const pulloff_scene *scene, const char *name, const double *values,
                                size_t count, po_request *requests) {
   char shown[PO_QUOTE_LENGTH];
-  const int key = po_given_key(name);
+  const int key = po_texts_key(name);
   if (key < 0 || !po_key_is_number(key)) {
     po_fail(PO_BAD_INPUT, "the key of a series is %s: expected a number of the scene",
             po_quote(name, shown));
@@ -95,7 +95,7 @@ static po_status follow(const pulloff_scene *scene, const char *key, const doubl
   if (!status && !marks)
     status = PO_NO_MEMORY;
   if (!status)
-    status = po_series_observe(requests, count, PO_CHECKPOINT_EVERY, solved);
+    status = po_series_pull_offs(requests, count, PO_CHECKPOINT_EVERY, solved);
   status = po_no_memory_or(status);
   for (size_t k = 0; k < count && !status; ++k) {
     results[k] = po_library_result(&requests[k], &solved[k]);
@@ -124,9 +124,9 @@ pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const
 }
 
 /* Refuses an input outside the domain of a form. */
-static po_status check_form(const po_form *form, const po_given *given,
+static po_status check_form(const po_form *form, const po_texts *given,
                             const po_form_input *input) {
-  const bool waves = po_given_has(given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&input->scene);
+  const bool waves = po_texts_has(given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&input->scene);
   const bool general = input->general || !po_scene_is_of_paper(&input->scene);
   if ((form->needs & (PO_NEEDS_WAVES | PO_NEEDS_AMPLITUDE)) && !waves && !general)
     return po_fail(PO_BAD_INPUT, "theory %s needs the key amplitude", form->name);
@@ -165,15 +165,15 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
   if (status)
     return status;
   po_form_input input = {request.scene, alpha, at};
-  const po_given given = po_library_given(scene, -1, NULL);
+  const po_texts given = po_library_given(scene, -1, NULL);
   po_use others[] = {{"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA},
-                     {"", po_given_has(&given, PO_KEY_PROFILE_APPROACH), false},
+                     {"", po_texts_has(&given, PO_KEY_PROFILE_APPROACH), false},
                      {"want", request.want != 0, false}};
-  po_given_name(&given, PO_KEY_PROFILE_APPROACH, others[1].name);
-  input.general = po_given_is_general(&given, form, &request.scene);
-  if (isnan(alpha) && (po_given_has(&given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&request.scene)))
+  po_texts_name(&given, PO_KEY_PROFILE_APPROACH, others[1].name);
+  input.general = po_texts_is_general(&given, form, &request.scene);
+  if (isnan(alpha) && (po_texts_has(&given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&request.scene)))
     input.alpha = po_scene_alpha(&request.scene);
-  status = po_given_check_form(&given, form, !isnan(alpha), others, sizeof others / sizeof *others);
+  status = po_texts_check_form(&given, form, !isnan(alpha), others, sizeof others / sizeof *others);
   if (!status)
     status = check_form(form, &given, &input);
   po_form_values values = {.count = 0};

@@ -68,9 +68,9 @@ for page in (root / "doc").glob("*.md"):
                 or is_path and "NAME" not in word and not word.startswith(("build/", "my/")) and not any((root / folder / word).exists() for folder in (".", "src"))
                 or is_file and word not in files):
             wrong.append(f"{page.name}: {word}")
-rooms = {path.parent.name for path in (root / "src").glob("*/*.c")}
-table = set(re.findall(r"^\| `(\w+)` \|", (root / "doc/architecture.md").read_text(), re.M))
-wrong += [f"architecture.md: room {name}" for name in sorted(rooms ^ table)]
+modules = {str(path.parent.relative_to(root / "src")) for path in (root / "src").rglob("*.c")}
+table = set(re.findall(r"^\| `([\w/]+)` \|", (root / "src/README.md").read_text(), re.M))
+wrong += [f"src/README.md: module {name}" for name in sorted(modules ^ table)]
 print("\n".join(wrong))
 sys.exit(bool(wrong))
 NAMES

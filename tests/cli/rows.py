@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Compares doc/json.md and doc/pulloff-1.schema.json with the keys of a scene (src/keys) and the rows of a result (src/result),
+"""Compares doc/json.md and doc/pulloff-1.schema.json with the keys of a scene (src/text/keys) and the rows of a result (src/core/result),
 from which they are made.
 
 Usage: rows.py PRINT_ROWS SOURCE_TREE [--write]

@@ -16,7 +16,7 @@ SEEN = 0.02             # relative change of the work that is stated
 LARGER = 1.2            # ratio of an error that is stated
 HEAD = """# The constants
 
-This page lists every named constant of the rooms that compute. `tests/constants/document.py` writes it; a test compares it with the source and with the measurements in `constants.csv`. [The method](method.md) explains what the constants are for.
+This page lists every named constant of the modules that compute. `tests/constants/document.py` writes it; a test compares it with the source and with the measurements in `constants.csv`. [The method](method.md) explains what the constants are for.
 
 `tests/constants/measure.py` halves and doubles each value in a copy of the source, builds the copy, and runs a fixed set of commands: 100 random scenes on panels, stiff scenes, other preloads, rings and triangles, rigid scenes, series of scenes and closed forms ([the set and the measure](../tests/constants/README.md)). Errors are differences from solutions at a tolerance of 1e-8.
 
@@ -113,12 +113,12 @@ def lines():
            f"solution); special points lost: {base['lost']}, spurious: {base['extra']}; largest error of an "
            f"energy lost {base['worst_energy']} tolerances.\n")
     yield "\n" + summary(results, base)
-    room = None
+    module = None
     for entry in measure.table():
         value, path = places[entry["file"], entry["name"]][:2]
         here = os.path.relpath(path, measure.ROOT)
-        if entry["file"] != room:
-            room = entry["file"]
+        if entry["file"] != module:
+            module = entry["file"]
             yield f"\n`{here}`\n\n| constant | value | kind | what it is | half | twice |\n|---|---|---|---|---|---|\n"
         sides = ["not measured: " + entry["unmeasured"] if "unmeasured" in entry else "", ""]
         if measure.is_measured(entry):

@@ -40,23 +40,23 @@ COLUMNS = ("file", "name", "value", "side", "tried", *RESULTS, *(f"{name}_ratio"
            "work_ratio")
 UNCHANGED = ("-", "-", "", "")
 
-# Commands that use a file, by a regular expression; a room stands for its files that are not here. The others are not
+# Commands that use a file, by a regular expression; a module stands for its files that are not here. The others are not
 # run: their results are those of the unchanged source.
 FIXED, FOLLOW, SOLVED = r"--scheme", r"^follow", r"^(solve|follow)"
 PANELS, RIGID = r"^(solve|follow) (?!.*--scheme)(?!--tabor (0|1e-6) )", r"--tabor (0|1e-6) "
 USED_BY = {
-    **{room: SOLVED for room in ("scene", "bem", "equilibrium", "continuation", "path", "request", "observe", "companion")}, "series": FOLLOW,
+    **{module: SOLVED for module in ("scene", "bem", "equilibrium", "continuation", "path", "result", "solve")}, "series": FOLLOW,
     "po_triangle.c": r"--scheme triangle", "po_surface.c": FIXED + "|" + RIGID, "po_rigid.c": RIGID, "po_rigid_trace.c": RIGID,
-    "po_wavy_rigid.c": r"^theory rigid", "po_jkr_path.c": r"preload|hysteresis",
+    "po_wavy_rigid.c": r"^theory rigid", "po_jkr_path.c": r"preload|hysteresis", "po_theory_forces.c": SOLVED,
     "po_diagnosis.c": r"diagnostics", "po_diagnose.h": r"diagnostics", "po_follow.c": FOLLOW,
     **{name: PANELS for name in ("po_panel_table.h", "po_panels.h", "po_moving_edges.c", "po_moving_edges.h",
                                  "po_refine.c", "po_resolution.c", "po_resolution.h", "po_extent.c")}}
 
 # What is measured first.
-ORDER = ("observe", "request", "contact", "continuation", "equilibrium", "bem", "series", "scene", "path", "linear", "math", "companion", "theory")
+ORDER = ("solve", "continuation", "equilibrium", "bem", "series", "result", "scene", "path", "linear", "math", "theory")
 
 
-def room_of(path):
+def module_of(path):
     return os.path.basename(os.path.dirname(path))
 
 
@@ -235,7 +235,7 @@ class Campaign:
         return row
 
     def measure(self, place, text):
-        pattern = USED_BY.get(os.path.basename(place[1]), USED_BY.get(room_of(place[1]), ""))
+        pattern = USED_BY.get(os.path.basename(place[1]), USED_BY.get(module_of(place[1]), ""))
         use = [re.search(pattern, " ".join(words)) for words in self.commands]
         found = self.copy.with_value(place, text, lambda: iter(self.copy.documents(
             [words for words, used in zip(self.commands, use) if used])))
@@ -268,7 +268,7 @@ def main():
             key = (entry["file"], entry["name"], place[0], side)
             if re.search(wanted.only, f"{entry['file']} {entry['name']}") and (wanted.fresh or key not in results.rows):
                 tasks.append((key, place, tried(entry, place[0], side)))
-    tasks.sort(key=lambda task: (kinds[task[0][:2]] != "tuned", ORDER.index(room_of(task[1][1]))))
+    tasks.sort(key=lambda task: (kinds[task[0][:2]] != "tuned", ORDER.index(module_of(task[1][1]))))
     if wanted.missing:
         print("\n".join(" ".join(key) for key, _, _ in tasks))
         return int(bool(tasks))

@@ -4,8 +4,6 @@ import glob
 import os
 import re
 
-ROOMS = ("math", "linear", "scene", "theory", "bem", "equilibrium", "continuation", "contact", "path", "request", "observe", "series",
-         "companion")
 NAME = r"\b(?P<name>[A-Z][A-Z0-9_]+)\s*=\s*"
 DECLARATION = re.compile(r"\b(?:static\s+)?const\s+(?:long\s+)?(?:double|float|size_t|int|u?int\d+_t)\s+"
                          r"(?P<body>[A-Z][^;(){}\[\]]*=[^;{}]*);")
@@ -46,8 +44,10 @@ def in_text(text):
 
 
 def sources(root):
-    """Paths of the rooms that compute."""
-    return sorted(path for room in ROOMS for path in glob.glob(os.path.join(root, "src", room, "*.[ch]")))
+    """Paths of the files that compute: core without `result`, which has types and names, but with its request."""
+    paths = glob.glob(os.path.join(root, "src", "core", "*", "*.[ch]"))
+    return sorted(path for path in paths
+                  if os.path.basename(os.path.dirname(path)) != "result" or os.path.basename(path).startswith("po_request."))
 
 
 def constants(root):

@@ -4,9 +4,9 @@
 
 #include <cblas.h>
 
+#include "po_deadline.h"
 #include "po_linear.h"
 #include "po_memory.h"
-#include "po_watch.h"
 
 const double LEAST_TIME = 0.02;
 

@@ -13,10 +13,10 @@
 
 #include "machine.h"
 #include "one_equilibrium.h"
+#include "po_deadline.h"
 #include "po_file.h"
 #include "po_linear.h"
-#include "po_observe.h"
-#include "po_watch.h"
+#include "po_solve.h"
 
 /* The waviness of Figures 4 to 9 of the paper with A = 1. */
 static const double TABOR = 3.0, AMPLITUDE = 1.0, WAVELENGTH = 20.0;
@@ -56,7 +56,7 @@ static json_t *json_of_way(const way_cost *cost) {
 /* Solves a request. Returned: the processor time of the trace in *seconds. */
 static po_status trace(const po_request *request, po_result *result, double *seconds) {
   const double begin = po_clock_thread();
-  const po_status status = po_observe(request, result);
+  const po_status status = po_solve(request, result);
   *seconds = po_clock_thread() - begin;
   return status;
 }

@@ -18,9 +18,9 @@ enum { MOST_ARGUMENTS = 64 };
 static po_request solved; /* the last request that a verb tried to solve */
 static bool was_solved;
 
-po_status __wrap_po_observe(const po_request *request, po_result *result);
-po_status __wrap_po_series_observe(const po_request *requests, size_t count, size_t every,
-                                   po_result *results);
+po_status __wrap_po_solve(const po_request *request, po_result *result);
+po_status __wrap_po_series_pull_offs(const po_request *requests, size_t count, size_t every,
+                                     po_result *results);
 po_status __wrap_po_series_folds(const po_request *requests, size_t count, po_result *results);
 po_status __wrap_po_run(po_case_run *runs, size_t count, const po_run_options *options);
 po_status __wrap_po_shard_write(const po_case_run *runs, size_t count, po_shard shard,
@@ -34,15 +34,15 @@ const volatile sig_atomic_t *__wrap_po_interrupt_listen(void);
 FILE *__wrap_popen(const char *command, const char *type);
 pid_t __wrap_fork(void);
 
-po_status __wrap_po_observe(const po_request *request, po_result *result) {
+po_status __wrap_po_solve(const po_request *request, po_result *result) {
   *result = (po_result){.status = PO_INTERRUPTED};
   solved = *request;
   was_solved = true;
   return po_fail(PO_INTERRUPTED, "nothing is solved here");
 }
 
-po_status __wrap_po_series_observe(const po_request *requests, size_t count, size_t every,
-                                   po_result *results) {
+po_status __wrap_po_series_pull_offs(const po_request *requests, size_t count, size_t every,
+                                     po_result *results) {
   fuzz_require(every > 0 && count > 1, "a line of %zu scenes is followed, each %zu", count, every);
   for (size_t i = 0; i < count; ++i) {
     results[i].status = PO_NOT_CONVERGED;
@@ -53,7 +53,7 @@ po_status __wrap_po_series_observe(const po_request *requests, size_t count, siz
 }
 
 po_status __wrap_po_series_folds(const po_request *requests, size_t count, po_result *results) {
-  return __wrap_po_series_observe(requests, count, 1, results);
+  return __wrap_po_series_pull_offs(requests, count, 1, results);
 }
 
 po_status __wrap_po_run(po_case_run *runs, size_t count, const po_run_options *options) {

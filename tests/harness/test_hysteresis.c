@@ -3,11 +3,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "po_companion_jkr.h"
 #include "po_guduru.h"
 #include "po_jkr_profile.h"
-#include "po_observe.h"
+#include "po_solve.h"
 #include "po_staircase.h"
+#include "po_theory_forces.h"
 #include "run.h"
 
 /* The preload of the smooth sphere. */
@@ -224,7 +224,7 @@ START_TEST(bradley_in_closed_form) {
   request.scene.tabor = 0.0;
   request.want = PO_WANT_HYSTERESIS;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   const po_loop *d = &o.hysteresis.of[PO_AT_APPROACH], *l = &o.hysteresis.of[PO_AT_LOAD];
   ck_assert_uint_eq(d->jump_count, 0);
   ck_assert_double_eq_tol(d->pull_off.load, -2.0, 1e-9);
@@ -283,7 +283,7 @@ START_TEST(loop_loses_what_its_jumps_do) {
   request.preload = LOOPS[_i].preload;
   request.want = PO_WANT_HYSTERESIS;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_uint_eq(o.hysteresis.of[PO_AT_APPROACH].jump_count, LOOPS[_i].jumps);
   const po_loop *loop = &o.hysteresis.of[PO_AT_APPROACH];
   const double way = 2.0 * (loop->preload.approach - o.start);
@@ -329,7 +329,7 @@ START_TEST(stated_errors_of_energies_hold) {
   request.want = PO_WANT_HYSTERESIS | PO_WANT_CURVE;
   for (int k = 0; k < 2; ++k) {
     request.mesh.tolerance = k ? 1e-8 : 1e-4;
-    ck_assert_int_eq(po_observe(&request, &o[k]), PO_OK);
+    ck_assert_int_eq(po_solve(&request, &o[k]), PO_OK);
   }
   ck_assert_uint_eq(o[0].fold_count, o[1].fold_count);
   for (size_t k = 0; k < o[0].fold_count; ++k)
@@ -363,13 +363,13 @@ START_TEST(a_small_preload_measures_less) {
   request.preload.approach = -2.0;
   request.want = PO_WANT_HYSTERESIS;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_uint_eq(o.hysteresis.of[PO_AT_APPROACH].loading_jumps, 1);
   ck_assert_double_lt(o.pull_off.force, 0.45);
   ck_assert_double_eq_tol(-o.hysteresis.of[PO_AT_APPROACH].pull_off.load, o.pull_off.force, 1e-4);
   po_result_clear(&o);
   request.preload.approach = NAN;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 1.226617, 1e-4);
   po_result_clear(&o);
 }
@@ -382,11 +382,11 @@ START_TEST(a_preload_beyond_the_trace_is_refused) {
   request.preload.load = 0.7;
   request.want = PO_WANT_HYSTERESIS;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
+  ck_assert_int_eq(po_solve(&request, &o), PO_NOT_FOUND);
   ck_assert(!o.has_hysteresis);
   po_result_clear(&o);
   request.preload.load = -0.1;
-  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+  ck_assert_int_eq(po_solve(&request, &o), PO_BAD_INPUT);
 }
 END_TEST
 

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_given.h"
 #include "po_json.h"
-#include "po_observe.h"
 #include "po_result_rows.h"
 #include "po_si.h"
+#include "po_solve.h"
+#include "po_texts.h"
 #include "run.h"
 
 static void check_block(const po_block *block);
@@ -62,7 +62,7 @@ START_TEST(no_cell_of_a_key_is_empty) {
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     const po_key_row *row = &PO_KEYS[key];
     ck_assert_msg(*row->name && *row->expected && *row->value, "key %d: an empty cell", key);
-    ck_assert_int_eq(po_given_key(row->name), key);
+    ck_assert_int_eq(po_texts_key(row->name), key);
     ck_assert_int_eq(po_key_of_name(row->name), key < PO_KEY_END ? key : -1);
     ck_assert(*row->help || PO_KEYS[key + 1].owner == row->owner);
     ck_assert(!row->varies || row->place != PO_NO_PLACE || row->target >= 0 ||
@@ -290,7 +290,7 @@ static po_request everything(double tabor, double radius) {
 /* Solves a scene. Returned: its document, to be released. */
 static json_t *document_of(const po_request *request, po_result *result) {
   *result = po_result_none();
-  ck_assert_int_eq(po_observe(request, result), PO_OK);
+  ck_assert_int_eq(po_solve(request, result), PO_OK);
   json_t *document = po_json_document(request, result), *parsed = NULL;
   po_text text = {0};
   ck_assert_int_eq(po_json_print(document, &text), PO_OK);

@@ -1,4 +1,4 @@
-"""Draws random edits of the source from a seed: a number for each room of src, and within a room each kind in turn."""
+"""Draws random edits of the source from a seed: a number for each module of src, and within a module each kind in turn."""
 
 import concurrent.futures
 import hashlib
@@ -18,18 +18,17 @@ def statuses_of(root):
 
 
 def candidates(root):
-    """All edits of all sources below src, by room."""
-    statuses, rooms = statuses_of(root), {}
-    for room in sorted(os.listdir(os.path.join(root, "src"))):
-        folder = os.path.join(root, "src", room)
-        names = sorted(name for name in os.listdir(folder) if name.endswith(".c")) if os.path.isdir(folder) else ()
+    """All edits of all sources below src, by module."""
+    statuses, modules = statuses_of(root), {}
+    for folder, _, files in sorted(os.walk(os.path.join(root, "src"))):
         found = []
-        for name in names:
-            with open(os.path.join(folder, name), encoding="utf-8") as stream:
-                found += tokens.edits_of(f"src/{room}/{name}", stream.read(), statuses)
+        for name in sorted(name for name in files if name.endswith(".c")):
+            path = os.path.join(folder, name)
+            with open(path, encoding="utf-8") as stream:
+                found += tokens.edits_of(os.path.relpath(path, root), stream.read(), statuses)
         if found:
-            rooms[room] = found
-    return rooms
+            modules[os.path.basename(folder)] = found
+    return modules
 
 
 def rank(seed, name):
@@ -38,17 +37,17 @@ def rank(seed, name):
     return hashlib.sha256(f"{seed}/{name}".encode()).digest()
 
 
-def order_of(seed, room, edits):
-    """The edits of a room in the order of the draw: the kinds in turn, and by rank within a kind."""
-    queues = {kind: [] for kind in sorted(tokens.KINDS, key=lambda kind: rank(seed, f"{room}/{kind}"))}
+def order_of(seed, module, edits):
+    """The edits of a module in the order of the draw: the kinds in turn, and by rank within a kind."""
+    queues = {kind: [] for kind in sorted(tokens.KINDS, key=lambda kind: rank(seed, f"{module}/{kind}"))}
     for edit in sorted(edits, key=lambda edit: rank(seed, edit.name)):
         queues[edit.kind].append(edit)
     return queues
 
 
-def draw_room(seed, room, edits, count, is_effective):
-    """The first `count` edits of a room that change the program."""
-    queues, drawn = order_of(seed, room, edits), []
+def draw_module(seed, module, edits, count, is_effective):
+    """The first `count` edits of a module that change the program."""
+    queues, drawn = order_of(seed, module, edits), []
     while len(drawn) < count and any(queues.values()):
         for queue in queues.values():
             while queue and len(drawn) < count:
@@ -60,19 +59,19 @@ def draw_room(seed, room, edits, count, is_effective):
 
 
 def shares(seed, sizes, count):
-    """The number of edits of each room, in proportion to the square root of the number of its candidates. They are
+    """The number of edits of each module, in proportion to the square root of the number of its candidates. They are
     assigned one by one (Sainte-Lague), so that a larger draw contains a smaller one."""
     share = dict.fromkeys(sizes, 0)
     for _ in range(count):
-        share[max(sizes, key=lambda room: (math.sqrt(sizes[room]) / (2 * share[room] + 1), rank(seed, room)))] += 1
+        share[max(sizes, key=lambda module: (math.sqrt(sizes[module]) / (2 * share[module] + 1), rank(seed, module)))] += 1
     return share
 
 
-def draw(seed, rooms, count, is_effective, jobs=1):
-    """Draws `count` edits, in the order of the rooms."""
-    share = shares(seed, {room: len(edits) for room, edits in rooms.items()}, count)
+def draw(seed, modules, count, is_effective, jobs=1):
+    """Draws `count` edits, in the order of the modules."""
+    share = shares(seed, {module: len(edits) for module, edits in modules.items()}, count)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        drawn = pool.map(lambda room: draw_room(seed, room, rooms[room], share[room], is_effective), sorted(rooms))
+        drawn = pool.map(lambda module: draw_module(seed, module, modules[module], share[module], is_effective), sorted(modules))
         return [edit for row in drawn for edit in row]
 
 
@@ -92,7 +91,7 @@ class Compiler:
             return stream.read()
 
     def is_effective(self, edit):
-        """Each room is drawn in one thread, so the edits of a file are never tested at the same time."""
+        """Each module is drawn in one thread, so the edits of a file are never tested at the same time."""
         path = os.path.join(self.build.source, edit.file)
         if path not in self.build.compile:
             return False

@@ -35,7 +35,7 @@ KEY = ("file", "function", "line", "becomes", "nth")
 ENOUGH = 95  # per cent of the edits that are not equivalent
 
 # The initial order of the tests assumes that each test was run PRIOR times and caught one edit, or PRIOR_OWN edits of
-# the room that it belongs to.
+# the module that it belongs to.
 PRIOR, PRIOR_OWN = 10, 6
 
 # Exit status of a test that lacks a package, see tests/cli/adapters.sh: it passes, and catches nothing.
@@ -172,7 +172,7 @@ class Tests:
             programs = {self.program_of(word) for word in test["cmd"]} - {None}
             if suite & set(suites) and programs:
                 name = f"{sorted(suite & set(suites))[0]}/{test['name']}"
-                self.tests[name] = dict(test, programs=programs, rooms={self.build.room_of(name) for name in programs})
+                self.tests[name] = dict(test, programs=programs, modules={self.build.module_of(name) for name in programs})
 
     def program_of(self, word):
         """The name of the program of the build that a word of a command refers to; None if there is none."""
@@ -209,7 +209,7 @@ class Tests:
 
 def expected_cost(seconds, tried, caught, own=False):
     """Expected processor time of a test for each edit that it catches. It determines the order of the tests. `own`: the
-    test belongs to the room of the edit."""
+    test belongs to the module of the edit."""
     return (seconds + LINK) * (tried + PRIOR) / (caught + (PRIOR_OWN if own else 1))
 
 
@@ -294,8 +294,8 @@ class Campaign:
 
     def draw(self):
         """The selected edits. Keeps which candidates change the program, because finding out needs a compilation."""
-        rooms = draw.candidates(self.tree)
-        edits = {edit.name: edit for found in rooms.values() for edit in found}
+        modules = draw.candidates(self.tree)
+        edits = {edit.name: edit for found in modules.values() for edit in found}
         known = {key_of(edit) for edit in edits.values()}
         for file, function, line, becomes, _ in sorted(self.judged.keys() - known):
             print(f"# {file}, {function}: no longer in the source, take it from equivalents.toml: {line} -> {becomes}")
@@ -308,7 +308,7 @@ class Campaign:
         kept, digest = self.kept(path), digest_of(self.tree, ("src/", "meson"))
         if kept.get("digest") != digest:
             compiler = draw.Compiler(self.build, lambda file: self.place("draw", file))
-            drawn = draw.draw(self.wanted.seed, rooms, self.wanted.count, compiler.is_effective, self.jobs)
+            drawn = draw.draw(self.wanted.seed, modules, self.wanted.count, compiler.is_effective, self.jobs)
             kept = {"digest": digest, "edits": [edit.name for edit in drawn]}
             self.keep(path, kept)
         return [edits[name] for name in kept["edits"]]
@@ -328,24 +328,24 @@ class Campaign:
     def read_history(self):
         """Reads the results of earlier runs, of any version of the sources. They only set the order of the tests."""
         rows = [self.kept(os.path.join(self.results, name)) for name in sorted(os.listdir(self.results))]
-        return [row for row in rows if row.get("room")]
+        return [row for row in rows if row.get("module")]
 
     def order(self, edit, last):
         """The tests for an edit: first the one that caught it last time, then by the expected cost of a caught edit."""
-        tried, caught, room = collections.Counter(), collections.Counter(), edit.file.split("/")[1]
+        tried, caught, module = collections.Counter(), collections.Counter(), edit.file.split("/")[1]
         with self.lock:
             for row in self.history:
-                if row["room"] == room:
+                if row["module"] == module:
                     tried.update(row["passed"])
                     tried[row["caught_by"]] += 1
                     caught[row["caught_by"]] += 1
         return sorted(self.asked, key=lambda name: (
             name != last, expected_cost(self.baseline[name], tried[name], caught[name],
-                                        room in self.tests.tests[name]["rooms"]), name))
+                                        module in self.tests.tests[name]["modules"]), name))
 
     def try_edit(self, edit, kept):
         """Runs the tests with an edit until one fails, except those that it passed before. Returns its row."""
-        row = {"name": edit.name, "digest": self.digest, "room": edit.file.split("/")[1], "kind": edit.kind,
+        row = {"name": edit.name, "digest": self.digest, "module": edit.file.split("/")[1], "kind": edit.kind,
                "caught_by": None, "by": None, "passed": [], "seconds": 0.0}
         if kept.get("digest") == self.digest and not self.wanted.fresh:
             row.update(passed=kept["passed"], seconds=kept["seconds"])
@@ -435,7 +435,7 @@ def summary(campaign, results):
     with open(path, "w", encoding="utf-8") as stream:
         stream.write("\n".join(entry_of(edit) for edit in survivors))
     for what, of in (("suite", lambda row: row["caught_by"].split("/")[0]), ("test", lambda row: row["caught_by"]),
-                     ("kind of edit", lambda row: row["kind"]), ("room", lambda row: row["room"])):
+                     ("kind of edit", lambda row: row["kind"]), ("module", lambda row: row["module"])):
         counts = collections.Counter(of(row) for row in caught)
         print(f"# caught, by {what}: " + ", ".join(f"{name} {count}" for name, count in counts.most_common()))
     late = sum(row["by"] == "timeout" for row in caught)

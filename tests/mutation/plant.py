@@ -73,8 +73,8 @@ class Build:
             self.links[program] = shlex.split(said.stdout.splitlines()[-1])
         return self.links[program]
 
-    def room_of(self, program):
-        """The room of a program: that of the first library that it is linked with, or its own folder."""
+    def module_of(self, program):
+        """The module of a program: that of the first library that it is linked with, or its own folder."""
         libraries = [word for word in self.link_command(program) if word.endswith(".a") and word.startswith("src/")]
         own = os.path.basename(os.path.dirname(program))
         return own if program.startswith("src/") or not libraries else os.path.basename(os.path.dirname(libraries[0]))
@@ -142,10 +142,10 @@ class Build:
         words = list(self.link_command(program))
         contains = False
         for made, original in objects:
-            room = os.path.join(os.path.dirname(os.path.dirname(original)), os.path.basename(os.path.dirname(original)))
+            module = os.path.join(os.path.dirname(os.path.dirname(original)), os.path.basename(os.path.dirname(original)))
             if original in words:  # an object of the program, not of a library
                 words[words.index(original)] = made
-            elif room.removesuffix(".p") in words:
+            elif module.removesuffix(".p") in words:
                 words.insert(next(place for place, word in enumerate(words) if word.endswith(".o")), made)
             else:
                 continue

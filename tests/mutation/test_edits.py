@@ -111,13 +111,13 @@ class Edits(unittest.TestCase):
 class Draw(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.rooms = draw.candidates(plant.SOURCE)
+        cls.modules = draw.candidates(plant.SOURCE)
 
     def drawn(self, seed, count):
-        return draw.draw(seed, self.rooms, count, lambda edit: True)
+        return draw.draw(seed, self.modules, count, lambda edit: True)
 
     def test_every_source_has_edits_of_every_kind(self):
-        everything = [edit for room in self.rooms.values() for edit in room]
+        everything = [edit for module in self.modules.values() for edit in module]
         files = {edit.file for edit in everything}
         self.assertGreater(len(files), 100)
         self.assertEqual({edit.kind for edit in everything}, set(tokens.KINDS))
@@ -132,30 +132,30 @@ class Draw(unittest.TestCase):
     def test_a_larger_draw_contains_a_smaller_one(self):
         self.assertLess(set(self.drawn(1, 50)), set(self.drawn(1, 120)))
 
-    def test_no_room_and_no_kind_is_left_out(self):
+    def test_no_module_and_no_kind_is_left_out(self):
         drawn = self.drawn(3, 150)
-        rooms = collections.Counter(edit.file.split("/")[1] for edit in drawn)
-        self.assertEqual(set(rooms), set(self.rooms))
-        self.assertGreaterEqual(min(rooms.values()), 2)
-        self.assertLess(max(rooms.values()), 150 // 2)
+        modules = collections.Counter(edit.file.split("/")[-2] for edit in drawn)
+        self.assertEqual(set(modules), set(self.modules))
+        self.assertGreaterEqual(min(modules.values()), 2)
+        self.assertLess(max(modules.values()), 150 // 2)
         kinds = collections.Counter(edit.kind for edit in drawn)
         self.assertGreaterEqual(min(kinds[kind] for kind in tokens.KINDS), 8)
 
     def test_edits_without_effect_are_left_out(self):
         first = self.drawn(1, 40)
-        without = draw.draw(1, self.rooms, 40, lambda edit: edit != first[0])
+        without = draw.draw(1, self.modules, 40, lambda edit: edit != first[0])
         self.assertEqual(len(without), 40)
         self.assertEqual(len(set(first) & set(without)), 39)
 
     def test_a_change_of_some_files_keeps_most_of_the_draw(self):
         first = self.drawn(1, 120)
         gone = {edit.file for edit in first[:3]}
-        rooms = {room: [edit for edit in found if edit.file not in gone] for room, found in self.rooms.items()}
-        still = set(draw.draw(1, rooms, 120, lambda edit: True))
+        modules = {module: [edit for edit in found if edit.file not in gone] for module, found in self.modules.items()}
+        still = set(draw.draw(1, modules, 120, lambda edit: True))
         self.assertGreater(len(still & set(first)), 100)
 
     def test_the_list_of_the_project_fits_the_source(self):
-        possible = {edits.key_of(edit) for room in self.rooms.values() for edit in room}
+        possible = {edits.key_of(edit) for module in self.modules.values() for edit in module}
         self.assertLessEqual(set(edits.read_judged(os.path.join(HERE, "equivalents.toml"))), possible)
 
 

@@ -380,14 +380,14 @@ def make_faults(folder, missed=False):
     """A matrix of planted faults beside a run; missed: one that nobody caught."""
     detectors = [("smoke", "case", "case smoke"), ("tables_math", "table", "tables of the kernel"),
                  ("compare", "test", "test of the comparison")]
-    faults = [("kernel-sign", "physics", "the kernel has the wrong sign", "src/math/po_kernel.c",
+    faults = [("kernel-sign", "physics", "the kernel has the wrong sign", "src/core/math/po_kernel.c",
                {"smoke": fault_cell("oracle", "pin"), "tables_math": fault_cell("test")}),
-              ("law-slope", "physics", "the law of interaction is too steep", "src/scene/po_law.c",
+              ("law-slope", "physics", "the law of interaction is too steep", "src/core/scene/po_law.c",
                {"smoke": fault_cell("no_result", "refused"), "tables_math": fault_cell()}),
               ("one-sided", "harness", "only what is too large is outside", "src/harness/po_result.c",
                {"compare": fault_cell("test")})]
     if missed:
-        faults.append(("jacobian", "physics", "the Jacobian is off", "src/equilibrium/po_equilibrium.c",
+        faults.append(("jacobian", "physics", "the Jacobian is off", "src/core/equilibrium/po_equilibrium.c",
                        {"smoke": fault_cell("pin", caught=False), "tables_math": fault_cell()}))
     rows = [{"name": name, "kind": kind, "what": what, "file": file, "cells": cells, "problem": "",
              "caught": any(cell["caught"] for cell in cells.values())} for name, kind, what, file, cells in faults]

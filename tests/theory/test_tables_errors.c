@@ -1,7 +1,7 @@
 /* The error estimates of panels are not smaller than the true errors, for every row of the tables
  * of the smooth sphere (reference/feng_*.csv). */
 #include "../unit/run.h"
-#include "po_observe.h"
+#include "po_solve.h"
 #include "table.h"
 
 static const double TOLERANCES[] = {1e-4, 1e-7};
@@ -11,7 +11,7 @@ static void solve(double tabor, double tolerance, po_result *result) {
   request.scene.tabor = tabor;
   request.mesh.scheme = PO_PANEL;
   request.mesh.tolerance = tolerance;
-  ck_assert_msg(po_observe(&request, result) == PO_OK, "tabor %g: %s", tabor, result->reason);
+  ck_assert_msg(po_solve(&request, result) == PO_OK, "tabor %g: %s", tabor, result->reason);
 }
 
 START_TEST(pull_off_is_within_its_stated_errors) {

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 
 #include "../unit/run.h"
+#include "po_dd.h"
 #include "po_elementary.h"
 #include "po_kernel.h"
 #include "po_special.h"
-#include "po_two.h"
 #include "table.h"
 
 /* The tolerances stated in po_special.h and po_kernel.h; 4 ulp. */
@@ -125,19 +125,19 @@ static const struct {
     {"bessel_i0_scaled", po_bessel_i0_scaled, .relative = 2e-15},
 };
 
-/* The same in twice the precision, to 1e-29 of the scale that po_two.h states. */
-static po_two two_of(const char *name, double a, double b, double *scale) {
-  const po_two x = po_two_of(a);
-  po_two value = po_two_of((double)NAN);
+/* The same in twice the precision, to 1e-29 of the scale that po_dd.h states. */
+static po_dd two_of(const char *name, double a, double b, double *scale) {
+  const po_dd x = po_dd_of(a);
+  po_dd value = po_dd_of((double)NAN);
   *scale = 1.0;
   if (strcmp(name, "exp") == 0)
-    value = po_two_exp(x);
+    value = po_dd_exp(x);
   else if (strcmp(name, "log") == 0)
-    value = po_two_log(x);
+    value = po_dd_log(x);
   else if (strcmp(name, "pow") == 0)
-    value = po_two_pow(x, po_two_of(b));
+    value = po_dd_pow(x, po_dd_of(b));
   else if (strcmp(name, "sinpi") == 0)
-    value = po_two_sinpi(x);
+    value = po_dd_sinpi(x);
   if (name[0] == 'e' || name[0] == 'p')
     *scale = fabs(value.high) * (1.0 + fabs(b) + fabs(po_log(value.high)));
   if (name[0] == 'l')
@@ -150,7 +150,7 @@ START_TEST(functions_of_twice_the_precision_agree_with_the_table) {
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     double scale;
     const char *name = table_word(&t, row, "function");
-    const po_two got = two_of(name, table_number(&t, row, "a"), table_number(&t, row, "b"), &scale);
+    const po_dd got = two_of(name, table_number(&t, row, "a"), table_number(&t, row, "b"), &scale);
     if (isnan(got.high))
       continue;
     const double value = table_number(&t, row, "value"), rest = table_number(&t, row, "rest");
@@ -166,11 +166,11 @@ END_TEST
 START_TEST(arithmetic_in_twice_the_precision) {
   const double unit = 0x1p-102;
   for (int k = 1; k <= 1000; ++k) {
-    const po_two a = po_two_log(po_two_of(1.0 + 0.37 * k)), b = po_two_exp(po_two_of(-0.013 * k));
-    const po_two quotient = po_two_divide(a, b), root = po_two_sqrt(a);
-    const po_two back = po_two_subtract(po_two_multiply(quotient, b), a);
-    const po_two square = po_two_subtract(po_two_multiply(root, root), a);
-    const po_two sum = po_two_subtract(po_two_subtract(po_two_add(a, b), a), b);
+    const po_dd a = po_dd_log(po_dd_of(1.0 + 0.37 * k)), b = po_dd_exp(po_dd_of(-0.013 * k));
+    const po_dd quotient = po_dd_divide(a, b), root = po_dd_sqrt(a);
+    const po_dd back = po_dd_subtract(po_dd_multiply(quotient, b), a);
+    const po_dd square = po_dd_subtract(po_dd_multiply(root, root), a);
+    const po_dd sum = po_dd_subtract(po_dd_subtract(po_dd_add(a, b), a), b);
     ck_assert_double_le(fabs(back.high), 4 * unit * a.high);
     ck_assert_double_le(fabs(square.high), 4 * unit * a.high);
     ck_assert_double_le(fabs(sum.high), 4 * unit * (a.high + b.high));

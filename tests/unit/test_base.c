@@ -39,20 +39,20 @@ START_TEST(allocation_is_aligned_zeroed_and_checked) {
 END_TEST
 
 START_TEST(arrays_are_freed_together) {
-  po_arrays arrays = {0};
+  po_arena arrays = {0};
   for (int round = 0; round < 2; ++round) {
-    double *x = po_arrays_allocate(&arrays, 23, sizeof *x);
-    char *text = po_arrays_reserve(&arrays, 100, 1);
+    double *x = po_arena_allocate(&arrays, 23, sizeof *x);
+    char *text = po_arena_reserve(&arrays, 100, 1);
     ck_assert_uint_eq((uintptr_t)x % 64, 0);
     ck_assert_uint_eq((uintptr_t)text % 64, 0);
     memset(text, 1, 100);
     for (int i = 0; i < 23; ++i)
       ck_assert_double_eq(x[i], 0.0);
     ck_assert(!arrays.ran_out);
-    ck_assert_ptr_null(po_arrays_allocate(&arrays, SIZE_MAX / 4, 8));
-    ck_assert_ptr_null(po_arrays_reserve(&arrays, SIZE_MAX - 1, 1));
+    ck_assert_ptr_null(po_arena_allocate(&arrays, SIZE_MAX / 4, 8));
+    ck_assert_ptr_null(po_arena_reserve(&arrays, SIZE_MAX - 1, 1));
     ck_assert(arrays.ran_out);
-    po_arrays_free(&arrays);
+    po_arena_free(&arrays);
     ck_assert(!arrays.ran_out);
   }
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "po_observe.h"
+#include "po_solve.h"
 #include "run.h"
 #include "trace.h"
 
@@ -19,7 +19,7 @@ static errors errors_of(po_scheme scheme, po_grading grading, size_t elements) {
   po_request request = po_request_default();
   request.mesh = (po_mesh){scheme, grading, elements + (scheme == PO_TRIANGLE), 0.0};
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, 2);
   const errors e = {o.pull_off.force - FORCE, o.pull_off.approach - APPROACH,
                     o.folds[0].approach - JUMP_IN, o.folds[1].approach - JUMP_OUT};

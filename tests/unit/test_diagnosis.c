@@ -5,8 +5,8 @@
 #include "po_diagnosis.h"
 #include "po_equilibrium.h"
 #include "po_law.h"
-#include "po_observe.h"
 #include "po_result_rows.h"
+#include "po_solve.h"
 #include "po_surface.h"
 #include "run.h"
 
@@ -24,7 +24,7 @@ static po_request awkward(void) {
 
 static double force(const po_request *request) {
   po_result o;
-  ck_assert_int_eq(po_observe(request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(request, &o), PO_OK);
   const double value = o.pull_off.force;
   po_result_clear(&o);
   return value;
@@ -45,7 +45,7 @@ START_TEST(sensitivities_agree_with_finite_differences) {
   po_request request = awkward();
   request.want = PO_WANT_DIAGNOSTICS;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   const po_sensitivity by = o.diagnostics.force;
   ck_assert(o.diagnostics.has_sensitivity);
   request.want = 0;
@@ -64,9 +64,9 @@ END_TEST
 static void compare_with_adjoint_solve(po_request request) {
   po_result plain, diagnosed;
   request.want = 0;
-  ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &plain), PO_OK);
   request.want = PO_WANT_DIAGNOSTICS;
-  ck_assert_int_eq(po_observe(&request, &diagnosed), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &diagnosed), PO_OK);
   ck_assert(plain.pull_off.has_sensitivity && diagnosed.diagnostics.has_sensitivity);
   const po_sensitivity *a = &plain.pull_off.sensitivity, *b = &diagnosed.diagnostics.force;
   ck_assert_double_eq_tol(a->tabor, b->tabor, 1e-6);
@@ -103,7 +103,7 @@ START_TEST(residuals_are_small_and_the_force_keeps_its_digits) {
   request.mesh.tolerance = 1e-6;
   request.want = PO_WANT_DIAGNOSTICS;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   const po_diagnostics *d = &o.diagnostics;
   ck_assert_uint_ge(d->state_count, 3);
   ck_assert_uint_eq(d->undiagnosed, 0);
@@ -127,9 +127,9 @@ START_TEST(diagnostics_do_not_change_the_result) {
   po_request request = awkward();
   request.mesh.tolerance = 1e-5;
   po_result plain, diagnosed;
-  ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &plain), PO_OK);
   request.want = PO_WANT_DIAGNOSTICS;
-  ck_assert_int_eq(po_observe(&request, &diagnosed), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &diagnosed), PO_OK);
   ck_assert_ptr_null(plain.diagnostics.states);
   ck_assert_double_eq(plain.pull_off.force, diagnosed.pull_off.force);
   ck_assert_uint_eq(plain.work.points, diagnosed.work.points);

@@ -2,9 +2,9 @@
  * trace of each scene. */
 #include <math.h>
 
-#include "po_observe.h"
 #include "po_random.h"
 #include "po_series.h"
+#include "po_solve.h"
 #include "run.h"
 
 enum { MOST = 24, SEED = 2385 };
@@ -54,7 +54,7 @@ START_TEST(followed_pull_off_agrees_with_full_traces) {
   static po_result result[MOST];
   const series_words *w = &SERIES[_i];
   make_series(w, request);
-  ck_assert_int_eq(po_series_observe(request, w->count, 7, result), PO_OK);
+  ck_assert_int_eq(po_series_pull_offs(request, w->count, 7, result), PO_OK);
   ck_assert(!result[0].followed && !result[w->count - 1].followed);
   size_t checked = 0;
   for (size_t k = 0; k < w->count; ++k) {
@@ -64,7 +64,7 @@ START_TEST(followed_pull_off_agrees_with_full_traces) {
     if (!result[k].followed || chance > 0.6)
       continue;
     po_result traced;
-    ck_assert_int_eq(po_observe(&request[k], &traced), PO_OK);
+    ck_assert_int_eq(po_solve(&request[k], &traced), PO_OK);
     ck_assert_double_le(fabs(result[k].pull_off.force - traced.pull_off.force),
                         result[k].pull_off.force_error + traced.pull_off.force_error);
     ck_assert_double_le(fabs(result[k].pull_off.approach - traced.pull_off.approach),
@@ -91,8 +91,8 @@ START_TEST(minimum_that_is_deepest_only_between_checkpoints_is_found) {
   static po_result result[MOST];
   po_result traced;
   make_series(&WORDS, request);
-  ck_assert_int_eq(po_series_observe(request, WORDS.count, MOST, result), PO_OK);
-  ck_assert_int_eq(po_observe(&request[1], &traced), PO_OK);
+  ck_assert_int_eq(po_series_pull_offs(request, WORDS.count, MOST, result), PO_OK);
+  ck_assert_int_eq(po_solve(&request[1], &traced), PO_OK);
   ck_assert_double_eq_tol(result[1].pull_off.force, traced.pull_off.force, 2e-5);
   ck_assert_double_eq_tol(result[1].pull_off.approach, traced.pull_off.approach, 1e-4);
   ck_assert_double_gt(traced.pull_off.contact_radius, 30.0);
@@ -116,11 +116,11 @@ START_TEST(minima_beyond_the_preload_are_not_the_pull_off) {
     request[k].scene =
         (po_scene){3.0, 5.0 * pow(1.7, (double)k / (COUNT - 1)), 50.0, 200.0, INFINITY};
   }
-  ck_assert_int_eq(po_series_observe(request, COUNT, COUNT, result), PO_OK);
+  ck_assert_int_eq(po_series_pull_offs(request, COUNT, COUNT, result), PO_OK);
   size_t followed = 0;
   for (size_t k = 0; k < COUNT; ++k) {
     po_result traced;
-    ck_assert_int_eq(po_observe(&request[k], &traced), PO_OK);
+    ck_assert_int_eq(po_solve(&request[k], &traced), PO_OK);
     ck_assert_double_le(fabs(result[k].pull_off.force - traced.pull_off.force),
                         result[k].pull_off.force_error + traced.pull_off.force_error);
     followed += result[k].followed;
@@ -144,10 +144,10 @@ START_TEST(one_rise_of_the_minima_does_not_end_the_series) {
     request[k].scene =
         (po_scene){1.42 * pow(1.94, (double)k / (COUNT - 1)), 1.464, 5.0, 100.0, 100.0};
   }
-  ck_assert_int_eq(po_series_observe(request, COUNT, COUNT - 1, result), PO_OK);
+  ck_assert_int_eq(po_series_pull_offs(request, COUNT, COUNT - 1, result), PO_OK);
   for (size_t k = 0; k < COUNT; ++k)
     ck_assert_int_eq(result[k].followed, k > 0 && k + 1 < COUNT);
-  ck_assert_int_eq(po_observe(&request[6], &traced), PO_OK);
+  ck_assert_int_eq(po_solve(&request[6], &traced), PO_OK);
   ck_assert_double_le(fabs(result[6].pull_off.force - traced.pull_off.force),
                       result[6].pull_off.force_error + traced.pull_off.force_error);
   po_result_clear(&traced);
@@ -163,7 +163,7 @@ START_TEST(following_takes_few_factorizations) {
   static po_result result[MOST];
   const series_words *w = &SERIES[_i];
   make_series(w, request);
-  ck_assert_int_eq(po_series_observe(request, w->count, MOST, result), PO_OK);
+  ck_assert_int_eq(po_series_pull_offs(request, w->count, MOST, result), PO_OK);
   double traced = 0.0, followed = 0.0;
   size_t many = 0;
   for (size_t k = 0; k < w->count; ++k) {
@@ -197,10 +197,10 @@ START_TEST(scenes_that_cannot_be_followed_are_traced) {
     request[k].mesh.tolerance = 1e-4;
     request[k].scene = SCENES[k];
   }
-  ck_assert_int_eq(po_series_observe(request, COUNT, COUNT, result), PO_OK);
+  ck_assert_int_eq(po_series_pull_offs(request, COUNT, COUNT, result), PO_OK);
   for (size_t k = 0; k < COUNT; ++k) {
     po_result alone;
-    ck_assert_int_eq(po_observe(&request[k], &alone), PO_OK);
+    ck_assert_int_eq(po_solve(&request[k], &alone), PO_OK);
     ck_assert(!result[k].followed);
     ck_assert_double_eq_tol(result[k].pull_off.force, alone.pull_off.force, 1e-12);
     po_result_clear(&alone);

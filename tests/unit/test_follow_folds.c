@@ -3,8 +3,8 @@
 
 #include "po_continuation.h"
 #include "po_follow.h"
-#include "po_observe.h"
-#include "po_observe_parts.h"
+#include "po_solve.h"
+#include "po_solve_parts.h"
 #include "run.h"
 
 enum { MOST = 16 };
@@ -36,14 +36,14 @@ static void scene_at(void *data, double at, po_scene *scene) {
 }
 
 static double domain_of(const po_scene *scene) {
-  return po_observe_domain(scene, po_surface_core(scene, NAN));
+  return po_solve_domain(scene, po_surface_core(scene, NAN));
 }
 
 typedef struct {
   size_t count, most;
   po_solution point[MOST];
   po_point_kind kind[MOST];
-  po_arrays arrays; /* of the points */
+  po_arena arrays; /* of the points */
 } folds;
 
 static bool keep(const po_branch_point *p, void *data) {
@@ -66,12 +66,12 @@ static void trace(const series *l, folds *f) {
   po_continuation *continuation = NULL;
   ck_assert_int_eq(po_surface_create_panels(&scene, domain_of(&scene), 4, &panels), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&scene, panels, &e), PO_OK);
-  e->precision = po_observe_precision(TOLERANCE);
+  e->precision = po_solve_precision(TOLERANCE);
   *f = (folds){.most = l->folds};
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = f;
-  const po_allowance allowed = po_observe_allowance(TOLERANCE);
+  const po_allowance allowed = po_solve_allowance(TOLERANCE);
   ck_assert_int_eq(po_continuation_create(e, allowed, &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   po_continuation_destroy(continuation);
@@ -82,12 +82,9 @@ static void trace(const series *l, folds *f) {
 
 /* Creates a follower at the beginning of the series. */
 static po_follower *follower_of(const series *l) {
-  const po_follow_options options = {scene_at,
-                                     domain_of,
-                                     (void *)l,
-                                     po_observe_allowance(TOLERANCE),
-                                     po_observe_precision(TOLERANCE),
-                                     TOLERANCE};
+  const po_follow_options options = {
+      scene_at, domain_of, (void *)l, po_solve_allowance(TOLERANCE), po_solve_precision(TOLERANCE),
+      TOLERANCE};
   po_follower *follower = NULL;
   ck_assert_int_eq(po_follow_create(&options, l->from, &follower), PO_OK);
   return follower;
@@ -99,7 +96,7 @@ static void solve(const series *l, double at, po_result *o) {
   scene_at((void *)l, at, &request.scene);
   request.mesh.scheme = PO_PANEL;
   request.mesh.tolerance = TOLERANCE;
-  ck_assert_int_eq(po_observe(&request, o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, o), PO_OK);
   ck_assert_uint_eq(o->fold_count, l->folds);
 }
 
@@ -128,7 +125,7 @@ START_TEST(followed_folds_agree_with_full_traces) {
   const po_work work = po_follow_work(follower);
   ck_assert_uint_lt(work.factorizations, 40 * 3 * l->folds); /* error estimates included */
   po_follow_destroy(follower);
-  po_arrays_free(&f.arrays);
+  po_arena_free(&f.arrays);
   for (int k = 0; k < 3; ++k)
     po_result_clear(&traced[k]);
 }
@@ -145,7 +142,7 @@ START_TEST(folds_that_merge_are_not_found_beyond) {
     ck_assert_int_eq(po_follow_to(follower, MERGING.to[0]), PO_OK);
     ck_assert_int_eq(po_follow_to(follower, MERGING.to[1]), PO_NOT_FOUND);
   }
-  po_arrays_free(&f.arrays);
+  po_arena_free(&f.arrays);
   po_follow_destroy(follower);
 }
 END_TEST

@@ -3,7 +3,7 @@
 #include <signal.h>
 
 #include "po_input.h"
-#include "po_observe.h"
+#include "po_solve.h"
 #include "run.h"
 
 static po_request request_of(const char *law, const char *profile, const char *coupling,
@@ -37,7 +37,7 @@ START_TEST(a_point_is_measured_on_the_mesh_of_the_next) {
   request.stop = &stop;
   po_result o;
   stop = 0;
-  ck_assert_msg(po_observe(&request, &o) == PO_INTERRUPTED, "%s", o.reason);
+  ck_assert_msg(po_solve(&request, &o) == PO_INTERRUPTED, "%s", o.reason);
   ck_assert_uint_ge(o.fold_count, 6);
   /* the deepest minimum before the preload was stated as the pull-off */
   ck_assert(!o.has_pull_off);
@@ -67,7 +67,7 @@ START_TEST(energies_lost_are_within_their_errors) {
       po_request request = request_of(s->law, s->profile, s->coupling, NULL, tight ? 1e-7 : 1e-4);
       request.want = stairs ? PO_WANT_PRELOAD : PO_WANT_HYSTERESIS;
       po_result o;
-      ck_assert_msg(po_observe(&request, &o) == PO_OK, "%s", o.reason);
+      ck_assert_msg(po_solve(&request, &o) == PO_OK, "%s", o.reason);
       ck_assert(stairs ? o.has_staircases : o.has_hysteresis);
       const po_loop *loop = &o.hysteresis.of[PO_AT_APPROACH];
       const po_cycle *cycle = stairs ? &o.staircase.of[0].step[0].cycle[0] : NULL;
@@ -97,7 +97,7 @@ START_TEST(energies_of_profiles_with_a_corner_are_within_their_errors) {
     request.want = PO_WANT_CURVE;
     request.approach_end = APPROACHES[_i];
     po_result o;
-    ck_assert_msg(po_observe(&request, &o) == PO_OK, "%s", o.reason);
+    ck_assert_msg(po_solve(&request, &o) == PO_OK, "%s", o.reason);
     const po_curve_point *last = &o.curve[o.curve_count - 1];
     ck_assert_double_eq_tol(last->approach, APPROACHES[_i], 1e-9);
     energy[tight] = last->energy;
@@ -113,7 +113,7 @@ END_TEST
 /* Solves a request. Returned: the pull-off force, 0 if there is none. */
 static double solved(po_request *request, double *error) {
   po_result o;
-  const po_status status = po_observe(request, &o);
+  const po_status status = po_solve(request, &o);
   ck_assert_msg(!status, "%s", o.reason);
   const double force = o.has_pull_off ? o.pull_off.force : 0.0;
   *error = o.has_pull_off ? o.pull_off.force_error : NAN;

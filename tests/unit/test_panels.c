@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "po_law.h"
-#include "po_observe.h"
+#include "po_solve.h"
 #include "run.h"
 
 /* Pull-off of smooth spheres: reference/feng_pull_off.csv. */
@@ -28,7 +28,7 @@ START_TEST(pull_off_is_accurate_to_the_tolerance) {
   for (int k = 0; k < 3; ++k) {
     const po_request request = panels(PULL_OFF[_i][0], TOLERANCES[k]);
     po_result o;
-    ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+    ck_assert_int_eq(po_solve(&request, &o), PO_OK);
     ck_assert_double_eq_tol(o.pull_off.force / PULL_OFF[_i][1], 1.0, TOLERANCES[k]);
     /* the load is flat at its minimum, so the error of the approach may be the square root of that
      * of the load */
@@ -50,7 +50,7 @@ START_TEST(four_folds_at_mu_5_and_no_more) {
                                        {-3.95939113588998, -1.52571846471486}};
   const po_request request = panels(5.0, 1e-6);
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, 4);
   ck_assert_uint_eq(o.extremum_count, 3);
   for (size_t k = 0; k < 4; ++k) {
@@ -67,7 +67,7 @@ END_TEST
 START_TEST(folds_close_together_are_both_found) {
   const po_request request = panels(4.0, 1e-7);
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, 4);
   ck_assert_double_eq_tol(o.folds[1].approach, -4.0232815, 1e-5);
   ck_assert_double_eq_tol(o.folds[2].approach, -4.02320023613447, 1e-6);
@@ -84,11 +84,11 @@ START_TEST(triangles_converge_to_the_panels) {
   if (_i)
     request.scene.outer_radius = 90.0;
   po_result panel, coarse, fine;
-  ck_assert_int_eq(po_observe(&request, &panel), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &panel), PO_OK);
   request.mesh = (po_mesh){PO_TRIANGLE, PO_UNIFORM, 401, 0.0};
-  ck_assert_int_eq(po_observe(&request, &coarse), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &coarse), PO_OK);
   request.mesh.nodes = 801;
-  ck_assert_int_eq(po_observe(&request, &fine), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &fine), PO_OK);
   const double limit = (4.0 * fine.pull_off.force - coarse.pull_off.force) / 3.0;
   ck_assert_double_eq_tol(limit, panel.pull_off.force,
                           5e-7); /* the term of the next order is 2e-7 */
@@ -106,7 +106,7 @@ START_TEST(panel_profile_is_on_its_own_nodes) { /* although the mesh changes lat
   po_request request = panels(2.385, 1e-6);
   request.want = PO_WANT_PROFILE;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   double load = 0.0;
   for (size_t k = 1; k < o.profile_count; ++k) {
     const po_profile_point *a = &o.profile[k - 1], *b = &o.profile[k];
@@ -122,9 +122,9 @@ END_TEST
 START_TEST(tolerance_has_limits) {
   po_request request = panels(1.0, 1e-16);
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+  ck_assert_int_eq(po_solve(&request, &o), PO_BAD_INPUT);
   request.mesh.tolerance = NAN;
-  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+  ck_assert_int_eq(po_solve(&request, &o), PO_BAD_INPUT);
 }
 END_TEST
 
@@ -137,13 +137,13 @@ START_TEST(crest_between_nodes_is_refused_or_resolved) {
   request.scene.amplitude = 1e4;
   request.scene.wavelength = 20.0;
   po_result o;
-  if (po_observe(&request, &o))
+  if (po_solve(&request, &o))
     ck_assert_ptr_nonnull(strstr(o.reason, "the error of the pull-off force"));
   else
     ck_assert_double_eq_tol(o.pull_off.force, FORCE, o.pull_off.force_error);
   po_result_clear(&o);
   request.mesh.tolerance = 1e-5;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, FORCE, o.pull_off.force_error);
   ck_assert_double_lt(o.pull_off.force_error, 1e-5 * o.pull_off.force);
   po_result_clear(&o);
@@ -158,7 +158,7 @@ START_TEST(stiff_sphere_approaches_jkr) {
   for (int k = 0; k < 2; ++k) {
     const po_request request = panels(TABOR[k], 1e-6);
     po_result o;
-    ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+    ck_assert_int_eq(po_solve(&request, &o), PO_OK);
     ck_assert_double_lt(o.pull_off.force_error, 1e-6);
     beyond[k] = o.pull_off.force - 1.5;
     po_result_clear(&o);
@@ -181,7 +181,7 @@ START_TEST(nearly_rigid_waves_are_solved_to_the_tolerance) {
   request.scene.amplitude = RIGID[_i][0];
   request.scene.wavelength = RIGID[_i][1];
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force / RIGID[_i][2], 1.0, request.mesh.tolerance);
   ck_assert_double_le(fabs(o.pull_off.force - RIGID[_i][2]), o.pull_off.force_error);
   po_result_clear(&o);
@@ -205,7 +205,7 @@ START_TEST(no_spurious_folds_and_all_have_error_estimates) {
   request.scene = MANY_FOLDS[_i].scene;
   request.preload.load = MANY_FOLDS[_i].preload;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, MANY_FOLDS[_i].folds);
   ck_assert_uint_lt(o.work.points, MANY_FOLDS[_i].most_points);
   for (size_t k = 0; k < o.fold_count; ++k) {
@@ -226,9 +226,9 @@ START_TEST(pull_off_is_refined_without_another_trace) {
   request.scene.wavelength = 5.0;
   request.scene.outer_radius = request.scene.radius = 100.0;
   po_result o, finer;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   request.mesh.tolerance = 1e-6;
-  ck_assert_int_eq(po_observe(&request, &finer), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &finer), PO_OK);
   ck_assert_double_lt(o.pull_off.force_error, 1e-4 * o.pull_off.force);
   ck_assert_double_le(fabs(o.pull_off.force - finer.pull_off.force),
                       o.pull_off.force_error + finer.pull_off.force_error);
@@ -248,7 +248,7 @@ START_TEST(errors_include_the_far_field) {
   request.scene.amplitude = 0.0832256;
   request.scene.wavelength = 17.3339;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   const double error = fabs(o.pull_off.force - 1.7930167752824);
   ck_assert_double_gt(error, 5e-10);
   ck_assert_double_le(error, o.pull_off.force_error);
@@ -267,7 +267,7 @@ START_TEST(errors_include_the_end_of_a_cut_surface) {
   request.scene.outer_radius = 22.569;
   ck_assert(po_law_set(&request.scene.law, "mie:2.931,4.018"));
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_le(fabs(o.pull_off.force - 1.52085111088), o.pull_off.force_error);
   ck_assert_double_le(fabs(o.folds[0].approach + 2.65733637916), o.folds[0].approach_error);
   ck_assert_double_le(fabs(o.folds[0].load + 0.57717267330), o.folds[0].load_error);
@@ -283,7 +283,7 @@ START_TEST(errors_are_not_far_above_the_true_ones) {
                                 -8.1897676562737};
   const po_request request = panels(5.0, TOLERANCES[_i]);
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   const double force = fabs(o.pull_off.force - 1.52571846471487);
   ck_assert_double_le(force, o.pull_off.force_error);
   ck_assert_double_le(o.pull_off.force_error, 5.0 * force);

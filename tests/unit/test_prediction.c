@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "po_continuation.h"
-#include "po_observe_parts.h"
 #include "po_prediction.h"
+#include "po_solve_parts.h"
 #include "run.h"
 
 enum { MOST = 200 };
@@ -16,7 +16,7 @@ static const po_scene SCENE = {2.0, 2.0, 5.0, 100.0, 100.0};
 typedef struct {
   size_t count;
   po_solution point[MOST];
-  po_arrays arrays; /* of the points */
+  po_arena arrays; /* of the points */
 } steps;
 
 static bool keep(const po_branch_point *p, void *data) {
@@ -32,15 +32,15 @@ static double trace(steps *s) {
   po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
-  const double domain = po_observe_domain(&SCENE, po_surface_core(&SCENE, NAN));
+  const double domain = po_solve_domain(&SCENE, po_surface_core(&SCENE, NAN));
   ck_assert_int_eq(po_surface_create_panels(&SCENE, domain, 4, &panels), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&SCENE, panels, &e), PO_OK);
-  e->precision = po_observe_precision(TOLERANCE);
+  e->precision = po_solve_precision(TOLERANCE);
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = s;
   ck_assert_int_eq(
-      po_continuation_create(e, po_observe_allowance(TOLERANCE), &options, &continuation), PO_OK);
+      po_continuation_create(e, po_solve_allowance(TOLERANCE), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   const double met = panels->core_radius;
   po_continuation_destroy(continuation);
@@ -76,7 +76,7 @@ START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
     ++left;
   }
   ck_assert_uint_ge(left, 4);
-  po_arrays_free(&s.arrays);
+  po_arena_free(&s.arrays);
 }
 END_TEST
 
@@ -85,7 +85,7 @@ START_TEST(contact_annuli_form_in_few_steps) {
   static steps s; /* too large for the stack */
   trace(&s);
   ck_assert_uint_lt(s.count, 122);
-  po_arrays_free(&s.arrays);
+  po_arena_free(&s.arrays);
 }
 END_TEST
 

@@ -11,7 +11,7 @@
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_linear.h"
-#include "po_observe.h"
+#include "po_solve.h"
 #include "po_surface.h"
 #include "run.h"
 
@@ -159,7 +159,7 @@ START_TEST(relaxation_after_a_jump_agrees_with_the_path) {
   po_result o;
   po_surface *surface = NULL;
   po_linear_single_thread();
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_int_eq(po_surface_create(&request.scene, &request.mesh, NAN, true, &surface), PO_OK);
   const po_loop *loop = &o.hysteresis.of[PO_AT_APPROACH];
   ck_assert_uint_ge(loop->loading_jumps, 3); /* the coarse mesh adds some */

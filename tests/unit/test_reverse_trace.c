@@ -4,7 +4,7 @@
 
 #include "po_branch_point.h"
 #include "po_diagnose.h"
-#include "po_observe.h"
+#include "po_solve.h"
 #include "run.h"
 
 typedef struct {
@@ -35,9 +35,9 @@ START_TEST(reverse_trace_finds_the_same_folds) {
   /* a tenth of the default: the tolerance is on the force, and the error of a fold may exceed it */
   request.mesh.tolerance = 1e-7;
   po_result plain, o;
-  ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &plain), PO_OK);
   request.want = PO_WANT_DIAGNOSTICS;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   const po_reverse_trace *way = &o.diagnostics.reverse_trace;
   ck_assert(way->made && way->same);
   ck_assert_int_eq(way->status, PO_OK);
@@ -70,7 +70,7 @@ START_TEST(extrema_just_before_an_annulus_forms_are_found) {
   request.mesh.tolerance = 1e-4;
   request.preload.approach = 4.6;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_uint_ge(o.extremum_count, 7);
   ck_assert_double_eq_tol(o.extrema[5].approach, 4.452258, 1e-5);
   ck_assert_double_eq_tol(o.extrema[6].approach, 4.505330, 1e-5);

@@ -34,7 +34,7 @@ typedef enum { NO_UPDATES, UPDATES, UPDATES_OF_LINEAR } updates;
 /* Iterates from 0 with the unit matrix as initial inverse. */
 static outcome iterate(const double *matrix, int steps, updates which, double scale) {
   po_secant s;
-  po_arrays arrays = {0};
+  po_arena arrays = {0};
   po_secant_allocate(&s, N, &arrays);
   ck_assert(!arrays.ran_out);
   po_secant_clear(&s, N);
@@ -52,7 +52,7 @@ static outcome iterate(const double *matrix, int steps, updates which, double sc
   for (int j = 0; j < N; ++j)
     o.error = fmax(o.error, fabs(x[j] - SOLUTION[j]));
   o.sign = s.sign;
-  po_arrays_free(&arrays);
+  po_arena_free(&arrays);
   return o;
 }
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "po_loop.h"
-#include "po_observe.h"
+#include "po_solve.h"
 #include "po_staircase.h"
 #include "request.h"
 #include "run.h"
@@ -153,7 +153,7 @@ static double always_met(const po_scene *scene, double load) {
   (void)load;
   return 0.0;
 }
-static const po_companion NEVER = {.bound = never_met}, ALWAYS = {.bound = always_met};
+static const po_theories NEVER = {.bound = never_met}, ALWAYS = {.bound = always_met};
 
 /* Every step of solved scenes is compared with loops of separate solves, whose preloads are just
  * inside the step and just below it. */
@@ -167,7 +167,7 @@ static po_path_state pulled(po_request request, double preload) {
   po_result o;
   request.want = PO_WANT_HYSTERESIS;
   request.preload = (po_preload){preload, NAN};
-  ck_assert_msg(!po_observe(&request, &o), "preload %.12g: %s", preload, o.reason);
+  ck_assert_msg(!po_solve(&request, &o), "preload %.12g: %s", preload, o.reason);
   const po_path_state pull_off = o.hysteresis.of[PO_AT_APPROACH].pull_off;
   po_result_clear(&o);
   return pull_off;
@@ -179,10 +179,10 @@ START_TEST(steps_agree_with_separate_loops) {
   request.scene = SCENES[_i];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-5};
   request.want = PO_WANT_PRELOAD;
-  request.companion = &ALWAYS;
+  request.theories = &ALWAYS;
   request.preload.load = 4.0;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert(o.has_staircases);
   const po_staircase *s = &o.staircase.of[0];
   ck_assert_uint_ge(s->count, 1);
@@ -210,10 +210,10 @@ START_TEST(steps_of_a_scene_are_accurate) {
   request.scene = SCENES[0];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
   request.want = PO_WANT_PRELOAD;
-  request.companion = &ALWAYS;
+  request.theories = &ALWAYS;
   request.preload.load = 5.0;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   const po_staircase *s = &o.staircase.of[0];
   static const double STEPS[][3] = {
       {-1.1110996, -0.1978146, 0.19781}, {20.5358, 1.5231, 4.10804}, {26.5580, 3.0095, 14.40819}};
@@ -239,10 +239,10 @@ START_TEST(a_search_does_not_change_the_pull_off) {
   po_request request = po_request_default();
   request.scene = SCENES[0];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
-  request.companion = &NEVER;
+  request.theories = &NEVER;
   request.search = SEARCH[_i];
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 0.197814606, 1e-7);
   ck_assert_double_eq_tol(o.pull_off.pressed.approach, -1.1110996, 1e-6);
   ck_assert(o.pull_off_any.is_known && !o.pull_off_any.complete);
@@ -265,15 +265,15 @@ START_TEST(an_unlimited_preload_gives_the_greatest_pull_off) {
   request.scene = SCENES[1];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = INFINITY;
-  request.companion = &NEVER;
+  request.theories = &NEVER;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 8.49669, 1e-4);
   ck_assert_double_eq_tol(o.pull_off_any.force, o.pull_off.force, 1e-9);
   ck_assert(!o.pull_off_any.complete);
   po_result_clear(&o);
-  request.companion = &ALWAYS;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  request.theories = &ALWAYS;
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
   ck_assert(o.pull_off_any.complete);
   ck_assert_double_lt(o.ended.load, 3.0); /* the bound is reached early */
@@ -289,10 +289,10 @@ START_TEST(a_bounded_surface_in_full_contact_is_complete) {
   po_request request = po_request_default();
   request.scene = (po_scene){4.84366, 0.152139, 21.7469, 33.9995, 9.58721};
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
-  request.companion = &NEVER;
+  request.theories = &NEVER;
   request.search = SEARCH[_i];
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
   ck_assert(o.pull_off_any.complete);
   ck_assert_double_eq_tol(o.pull_off.force, 0.709603, 1e-5);

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_observe.h"
-#include "po_observe_parts.h"
-#include "po_watch.h"
+#include "po_deadline.h"
+#include "po_solve.h"
+#include "po_solve_parts.h"
 #include "request.h"
 #include "run.h"
 
@@ -16,10 +16,10 @@ START_TEST(no_greater_pull_off_beyond_the_end_of_a_trace) {
                                      {0.3, 6.0, 25.0},  {2.0, 0.1, 30.0}, {3.0, 0.5, 7.0}};
   po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 90.0);
   po_result near, far;
-  ck_assert_int_eq(po_observe(&request, &near), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &near), PO_OK);
   request.approach_end =
       near.ended.approach + 2.0 * fabs(near.ended.approach - near.pull_off.approach);
-  ck_assert_int_eq(po_observe(&request, &far), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &far), PO_OK);
   ck_assert_double_gt(far.ended.approach, near.ended.approach);
   ck_assert_double_eq_tol(near.pull_off.force, far.pull_off.force, 1e-9);
   ck_assert_double_eq_tol(near.pull_off.approach, far.pull_off.approach, 1e-5);
@@ -39,7 +39,7 @@ START_TEST(a_closed_trough_gives_a_greater_pull_off) {
   for (int k = 0; k < 3; ++k) {
     po_result o;
     request.preload.load = PRELOADS[k];
-    ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+    ck_assert_int_eq(po_solve(&request, &o), PO_OK);
     force[k] = o.pull_off.force;
     ck_assert_double_lt(o.pull_off.pressed.load, PRELOADS[k]);
     po_result_clear(&o);
@@ -58,7 +58,7 @@ START_TEST(trace_ends_at_the_preload) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.want = PO_WANT_CURVE;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   double approach = -INFINITY;
   for (size_t k = 0; k < o.curve_count; ++k) {
     const po_curve_point *p = &o.curve[k];
@@ -70,7 +70,7 @@ START_TEST(trace_ends_at_the_preload) {
   ck_assert_double_eq(approach, o.ended.approach);
   request.preload.approach = o.ended.approach - 0.5;
   po_result_clear(&o);
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.ended.approach, request.preload.approach, 1e-9);
   ck_assert_int_eq(o.ended.cause, PO_END_PRELOAD);
   po_result_clear(&o);
@@ -86,7 +86,7 @@ START_TEST(a_preload_just_before_a_fold_is_reached) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
   request.preload.approach = PRELOADS[_i];
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, _i < 3 ? 0.1199725 : 2.4783687, 1e-6);
   po_result_clear(&o);
 }
@@ -101,13 +101,13 @@ START_TEST(an_end_at_a_small_approach_is_reached) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.approach_end = -20.0;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.ended.approach, -20.0, 1e-9);
   ck_assert(!o.has_pull_off);
   po_result_clear(&o);
   request.approach_end = NAN;
   request.preload.approach = -20.0;
-  ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
+  ck_assert_int_eq(po_solve(&request, &o), PO_NOT_FOUND);
   ck_assert_double_eq_tol(o.ended.approach, -20.0, 1e-9);
   po_result_clear(&o);
 }
@@ -120,13 +120,13 @@ START_TEST(a_smooth_sphere_is_complete_under_compression) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.search = PO_SEARCH_SOME;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_COMPRESSED);
   ck_assert(o.pull_off_any.is_known && o.pull_off_any.complete);
   po_result_clear(&o);
   request.search = PO_SEARCH_NONE;
   request.preload.approach = -0.5; /* the trace ends while the load is still tensile */
-  ck_assert_int_eq(po_observe(&request, &o), _i ? PO_NOT_FOUND : PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), _i ? PO_NOT_FOUND : PO_OK);
   ck_assert(!o.pull_off_any.complete);
   po_result_clear(&o);
 }
@@ -141,7 +141,7 @@ START_TEST(a_preload_beyond_the_end_is_refused) {
   ck_assert_int_eq(po_request_check(&request), PO_BAD_INPUT);
   request.preload = (po_preload){NAN, 7.0};
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
+  ck_assert_int_eq(po_solve(&request, &o), PO_NOT_FOUND);
   ck_assert_ptr_nonnull(strstr(o.reason, "before the load 7 was reached"));
   po_result_clear(&o);
 }
@@ -153,7 +153,7 @@ START_TEST(a_preload_without_contact_is_reported) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = -9.0;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
+  ck_assert_int_eq(po_solve(&request, &o), PO_NOT_FOUND);
   ck_assert_ptr_nonnull(strstr(o.reason, "the load has no minimum up to the preload, approach -9"));
   po_result_clear(&o);
 }
@@ -167,7 +167,7 @@ START_TEST(time_limit_ends_a_solve) {
   request.mesh.scheme = SCHEMES[_i % 3];
   request.time_limit = 1e-9;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OUT_OF_TIME);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OUT_OF_TIME);
   ck_assert_uint_eq(o.work.points, 0);
   ck_assert_ptr_nonnull(
       strstr(o.reason, "after 1e-09 s of processor time the trace has no point yet"));
@@ -183,13 +183,13 @@ START_TEST(time_limit_ends_a_search_without_failure) {
   request.preload.approach = -1.0;
   request.search = PO_SEARCH_SOME;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_SEARCHED); /* with more effort it would be complete */
   const uint64_t long_search = o.work.points;
   const double force = o.pull_off.force;
   po_result_clear(&o);
   for (request.time_limit = 1e-3;; request.time_limit *= 1.5) {
-    const po_status status = po_observe(&request, &o);
+    const po_status status = po_solve(&request, &o);
     const po_end_cause cause = o.ended.cause;
     if (!status)
       ck_assert_double_eq(o.pull_off.force, force);
@@ -213,7 +213,7 @@ START_TEST(a_search_after_a_short_trace_is_complete) {
   request.preload.approach = -1.0;
   request.search = PO_SEARCH_SOME;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
   po_result_clear(&o);
 }
@@ -223,9 +223,9 @@ START_TEST(time_limit_that_is_not_reached_changes_nothing) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
   po_result free_of, limited;
-  ck_assert_int_eq(po_observe(&request, &free_of), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &free_of), PO_OK);
   request.time_limit = 1e6;
-  ck_assert_int_eq(po_observe(&request, &limited), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &limited), PO_OK);
   ck_assert(limited.pull_off.force == free_of.pull_off.force);
   ck_assert_uint_eq(limited.work.newton_iterations, free_of.work.newton_iterations);
   po_result_clear(&free_of);
@@ -247,17 +247,17 @@ START_TEST(time_limit_bounds_the_diagnostics) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   request.want = PO_WANT_DIAGNOSTICS;
   request.time_limit = 1e6;
-  const po_watch before = po_watch_begin(NULL, po_clock_thread() - 1.0);
-  ck_assert_int_eq(po_observe_changed(&request, &o), PO_OUT_OF_TIME);
-  po_watch_end(before);
+  const po_deadline before = po_deadline_begin(NULL, po_clock_thread() - 1.0);
+  ck_assert_int_eq(po_solve_changed(&request, &o), PO_OUT_OF_TIME);
+  po_deadline_end(before);
   ck_assert_uint_eq(o.diagnostics.moved.solves, 1);
   ck_assert_uint_eq(o.diagnostics.moved.failed, 1);
   ck_assert_ptr_nonnull(
       strstr(po_message(), "after 1e+06 s of processor time the branch is traced"));
-  ck_assert_int_eq(po_observe_changed(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve_changed(&request, &o), PO_OK);
   ck_assert_uint_eq(o.diagnostics.moved.solves, 5);
   ck_assert_uint_eq(o.diagnostics.moved.failed, 1);
   po_result_clear(&o);
@@ -269,7 +269,7 @@ START_TEST(an_interruption_ends_a_solve) {
   po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
   request.stop = &stop;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_INTERRUPTED);
+  ck_assert_int_eq(po_solve(&request, &o), PO_INTERRUPTED);
   ck_assert_ptr_nonnull(strstr(o.reason, "interrupted"));
   po_result_clear(&o);
 }
@@ -283,10 +283,10 @@ START_TEST(a_bounded_surface_is_traced_until_full_contact) {
   po_request request = request_of(4.0, 0.4, 10.0, 30.0);
   po_result triangles, panels;
   request.mesh.nodes = 401;
-  ck_assert_int_eq(po_observe(&request, &triangles), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &triangles), PO_OK);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
   request.want = PO_WANT_CURVE;
-  ck_assert_int_eq(po_observe(&request, &panels), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &panels), PO_OK);
   ck_assert_double_eq_tol(panels.pull_off.force, 1.7841, 1e-4);
   ck_assert_double_eq_tol(panels.pull_off.force, triangles.pull_off.force, 1e-4);
   ck_assert_double_eq_tol(panels.pull_off.approach, triangles.pull_off.approach, 1e-4);
@@ -314,7 +314,7 @@ START_TEST(the_end_of_a_trace_has_a_cause) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.approach_end = ENDS[_i].end;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, ENDS[_i].cause);
   if (ENDS[_i].cause == PO_END_ASKED)
     ck_assert_double_eq_tol(o.ended.approach, -0.3, 1e-9);
@@ -339,15 +339,15 @@ static double farthest(const po_scene *scene, double load) {
  * usual domain, the domain is larger; if far beyond, most searches end before. */
 START_TEST(the_domain_of_a_search_reaches_to_its_end) {
   static const double PARTS[] = {0.5, 1.2, 2.0}; /* of the usual domain */
-  const po_companion companion = {.bound = farthest};
+  const po_theories theories = {.bound = farthest};
   po_request request = request_of(1.0, 1.0, 10.0, INFINITY);
-  const double usual = po_observe_core(&request);
+  const double usual = po_solve_core(&request);
   request.search = PO_SEARCH_SOME;
-  request.companion = &companion;
+  request.theories = &theories;
   farthest_of_1 = PARTS[_i] * usual;
-  const double core = po_observe_core(&request);
+  const double core = po_solve_core(&request);
   if (_i == 1)
-    ck_assert(!po_observe_is_cut_off(&request.scene, farthest_of_1, core));
+    ck_assert(!po_solve_is_cut_off(&request.scene, farthest_of_1, core));
   else
     ck_assert_double_eq(core, usual);
 }

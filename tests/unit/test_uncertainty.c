@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "po_observe.h"
+#include "po_solve.h"
 #include "run.h"
 
 /* A tip with a deviation that smoothing does not remove, and one that it does. */
@@ -38,7 +38,7 @@ START_TEST(adjoint_agrees_with_solves) {
   request.scene.tabor = po_scene_tabor_of_coupling(SCENES[_i][0], 1.0);
   request.scene.outer_radius = SCENES[_i][1];
   po_result o;
-  ck_assert_msg(po_observe(&request, &o) == PO_OK, "%s", o.reason);
+  ck_assert_msg(po_solve(&request, &o) == PO_OK, "%s", o.reason);
   ck_assert_uint_eq(o.uncertain_count, 1);
   const po_uncertain *u = o.uncertain;
   ck_assert_double_gt(u->force, 1e-4 * o.pull_off.force);
@@ -71,7 +71,7 @@ START_TEST(inputs_agree_with_their_derivatives) {
   request.variation = variation;
   request.variations = 2;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   const po_sensitivity *by = &o.pull_off.sensitivity;
   const double force = o.pull_off.force, a = 0.01 * by->tabor * force,
                b = 0.005 * by->amplitude * force;
@@ -98,7 +98,7 @@ START_TEST(jumps_are_no_uncertainty) {
   request.variation = &variation;
   request.variations = 1;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   if (_i) {
     ck_assert(isnan(o.uncertain[0].force) && isnan(o.uncertainty));
     ck_assert_double_eq_tol(o.uncertain[0].above, 0.78552, 1e-4);
@@ -123,7 +123,7 @@ START_TEST(small_jumps_are_their_size) {
   request.variation = variation;
   request.variations = 2;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.uncertain[0].force, 0.0001 * o.pull_off.force, 1e-9);
   ck_assert_double_eq_tol(o.uncertainty, hypot(o.uncertain[0].force, o.uncertain[1].force), 1e-15);
   po_result_clear(&o);
@@ -140,7 +140,7 @@ START_TEST(failures_are_unknown) {
   request.variation = &variation;
   request.variations = 1;
   po_result o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert(isnan(o.uncertain[0].force) && isnan(o.uncertain[0].above));
   ck_assert_double_eq_tol(o.uncertain[0].below, 0.0, 1e-9);
   po_result_clear(&o);

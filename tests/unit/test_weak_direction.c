@@ -5,8 +5,8 @@
 #include "po_initial_gap.h"
 #include "po_input.h"
 #include "po_load_unit.h"
-#include "po_observe_parts.h"
 #include "po_scales.h"
+#include "po_solve_parts.h"
 #include "run.h"
 
 static const double TOLERANCE = 1e-6;
@@ -29,7 +29,7 @@ START_TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   ck_assert(
       po_key_set(&request, PO_KEY_WAVES, "0.805184@33.7833;0.193323@5.85164;0.0503183@14.8622"));
   request = po_load_unit_request(&request);
-  /* po_observe_domain moves the end of the domain a little, to have the kink of the profile at the
+  /* po_solve_domain moves the end of the domain a little, to have the kink of the profile at the
    * end of a panel, and the factors serve */
   const double core = po_surface_core(&request.scene, NAN);
   const double domain =
@@ -39,14 +39,14 @@ START_TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   po_continuation *continuation = NULL;
   ck_assert_int_eq(po_surface_create_panels(&request.scene, domain, 4, &panels), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&request.scene, panels, &e), PO_OK);
-  e->precision = po_observe_precision(TOLERANCE);
+  e->precision = po_solve_precision(TOLERANCE);
   double position = 0.0;
   po_continuation_options options = po_continuation_options_default();
   options.visit = is_beyond;
   options.data = &position;
   options.most_points = 1000;
   ck_assert_int_eq(
-      po_continuation_create(e, po_observe_allowance(TOLERANCE), &options, &continuation), PO_OK);
+      po_continuation_create(e, po_solve_allowance(TOLERANCE), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   ck_assert_double_gt(position, END);
   po_continuation_destroy(continuation);

@@ -6,10 +6,10 @@
 #include "po_json_value.h"
 #include "po_library.h"
 #include "po_memory.h"
-#include "po_observe.h"
 #include "po_profile_table.h"
 #include "po_range.h"
 #include "po_series.h"
+#include "po_solve.h"
 
 /* Functions of the page. Progress: a point of the trace, or the number of a scene of a series that
  * is solved. Profile: gap and traction at the point of the curve with this number, in rows of
@@ -55,7 +55,7 @@ static pulloff_status solve(const pulloff_scene *scene, pulloff_result **result,
   if (!status) {
     request.watch = tell_progress;
     request.show = tell_profile;
-    status = po_observe(&request, &solved);
+    status = po_solve(&request, &solved);
     if (status && !solved.reason[0])
       snprintf(solved.reason, sizeof solved.reason, "%.250s", po_message());
   }
@@ -136,7 +136,7 @@ static po_status follow_scenes(const pulloff_scene *scene, int key, const po_ran
     requests[k].watcher = (void *)k;
   }
   if (!status)
-    status = po_series_observe(requests, range->count, PO_CHECKPOINT_EVERY, results);
+    status = po_series_pull_offs(requests, range->count, PO_CHECKPOINT_EVERY, results);
   json_t *rows = po_json_empty_array();
   for (size_t k = 0; k < range->count && !status; ++k)
     po_json_append(&rows, row_of(po_key_number(&requests[k], (po_key)key), &results[k]));

@@ -1,0 +1,119 @@
+#include "po_request.h"
+
+#include <math.h>
+#include <string.h>
+
+po_request po_request_default(void) {
+  return (po_request){.scene = po_scene_default(),
+                      .mesh = po_mesh_default(),
+                      .approach_start = NAN,
+                      .approach_end = NAN,
+                      .profile_approach = NAN,
+                      .preload = {NAN, NAN},
+                      .stiffness = NAN,
+                      .time_limit = NAN};
+}
+
+const char *const PO_WANTS[] = {"curve",       "profile", "hysteresis",
+                                "diagnostics", "preload", "theories"};
+
+bool po_want_read(const char *list, unsigned *want) {
+  unsigned found = 0;
+  for (const char *item = list;; ++item) {
+    const size_t length = strcspn(item, ",");
+    int k = 0;
+    while (k < PO_WANT_COUNT &&
+           (strlen(PO_WANTS[k]) != length || strncmp(item, PO_WANTS[k], length) != 0))
+      ++k;
+    if (k == PO_WANT_COUNT)
+      return false;
+    found |= 1u << k;
+    item += length;
+    if (*item == '\0')
+      break;
+  }
+  *want |= found;
+  return true;
+}
+
+const double PO_USUAL_PRELOAD = 1.0;
+
+double po_request_excess(const po_request *request, const po_result *result) {
+  return result->has_pull_off
+             ? result->pull_off.force_error / (request->mesh.tolerance * result->pull_off.force)
+             : (double)NAN;
+}
+
+po_preload po_request_preload(const po_request *request) {
+  if (!isnan(request->preload.approach) || !isnan(request->preload.load))
+    return request->preload;
+  if (!isnan(request->approach_end))
+    return (po_preload){request->approach_end, (double)NAN};
+  return (po_preload){(double)NAN, PO_USUAL_PRELOAD};
+}
+
+static void choose_search(po_request *request) {
+  if (!(request->want & ~(unsigned)PO_WANT_THEORIES) && isnan(request->preload.approach) &&
+      isnan(request->preload.load))
+    request->search = PO_SEARCH_SOME;
+}
+
+po_search po_request_search(const po_request *request) {
+  return isinf(request->preload.approach) || request->want & PO_WANT_PRELOAD ? PO_SEARCH_ALL
+                                                                             : request->search;
+}
+
+po_status po_request_check(const po_request *request) {
+  po_status status = po_scene_check(&request->scene);
+  if (!status)
+    status = po_mesh_check(&request->mesh);
+  if (status)
+    return status;
+  if (isinf(request->approach_start))
+    return po_fail(PO_BAD_INPUT, "approach_start is %g: expected a finite number",
+                   request->approach_start);
+  if (isinf(request->approach_end))
+    return po_fail(PO_BAD_INPUT, "approach_end is %g: expected a finite number",
+                   request->approach_end);
+  if (request->approach_start >= request->approach_end)
+    return po_fail(PO_BAD_INPUT, "approach_end is %g: expected more than approach_start, %g",
+                   request->approach_end, request->approach_start);
+  if (isinf(request->preload.approach) &&
+      (!isnan(request->preload.load) || !isnan(request->approach_end)))
+    return po_fail(PO_BAD_INPUT, "preload is inf beside %s: expected one of both",
+                   isnan(request->preload.load) ? "approach_end" : "preload_load");
+  if (isinf(request->preload.approach) && request->want & PO_WANT_HYSTERESIS)
+    return po_fail(PO_BAD_INPUT,
+                   "preload is inf: expected a finite number for the hysteresis, whose "
+                   "loading is reversed there");
+  if (request->preload.approach > request->approach_end && isfinite(request->preload.approach))
+    return po_fail(PO_BAD_INPUT, "approach_end is %g: expected at least the preload, %g",
+                   request->approach_end, request->preload.approach);
+  if (isinf(request->profile_approach))
+    return po_fail(PO_BAD_INPUT, "profile_approach is %g: expected a finite number",
+                   request->profile_approach);
+  if (request->preload.approach == -INFINITY)
+    return po_fail(PO_BAD_INPUT, "preload is %g: expected a finite number, or inf",
+                   request->preload.approach);
+  if (request->preload.load < 0.0 || isinf(request->preload.load))
+    return po_fail(PO_BAD_INPUT, "preload_load is %g: expected a finite number >= 0",
+                   request->preload.load);
+  if (request->time_limit <= 0.0 || isinf(request->time_limit))
+    return po_fail(PO_BAD_INPUT, "time_limit is %g: expected a finite number > 0",
+                   request->time_limit);
+  return PO_OK;
+}
+
+po_status po_request_complete(po_request *request) {
+  if (!isnan(request->stiffness))
+    request->want |= PO_WANT_HYSTERESIS;
+  if (!isnan(request->profile_approach))
+    request->want |= PO_WANT_PROFILE;
+  choose_search(request);
+  return po_request_check(request);
+}
+
+double po_request_bound(const po_request *request, double load) {
+  const po_theories *theories = request->theories;
+  return theories ? theories->bound(&request->scene, load) : (double)NAN;
+}

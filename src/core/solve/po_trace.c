@@ -1,0 +1,253 @@
+/* One trace of the branch of a request, with its results. */
+#include <math.h>
+
+#include "po_collector.h"
+#include "po_continuation.h"
+#include "po_deadline.h"
+#include "po_diagnose.h"
+#include "po_far_field.h"
+#include "po_initial_gap.h"
+#include "po_rigid.h"
+#include "po_rigid_trace.h"
+#include "po_solve_parts.h"
+
+/* Greatest allowed distance of a wanted curve from the straight lines between its points, in eps
+ * and pi w R. */
+static const double CURVE_SAGITTA = 5e-4;
+
+/* A rigid trace starts at this gap, or at a gap larger by a power of a factor at which the load is
+ * below a given part of the pull-off force. By Derjaguin's approximation the load is 2 phi/w, in pi
+ * w R. */
+static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LOAD = 0.02;
+
+static po_continuation_options options_of(const po_request *request, double begin,
+                                          po_collector *reader) {
+  po_continuation_options options = po_continuation_options_default();
+  options.minima_only = reader->for_series && reader->for_series->minima;
+  options.end = request->approach_end;
+  if (isfinite(request->preload.approach))
+    options.station[0] = request->preload.approach;
+  if (request->want & PO_WANT_PROFILE && !isnan(request->profile_approach))
+    options.station[1] = request->profile_approach;
+  options.begin = fmin(request->approach_start, begin);
+  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS))
+    options.largest_sagitta = CURVE_SAGITTA;
+  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD) &&
+      request->mesh.scheme == PO_PANEL)
+    options.largest_miss = po_estimate_miss(request);
+  options.sharpness = request->mesh.tolerance;
+  options.visit = po_collector_visit;
+  options.data = reader;
+  return options;
+}
+
+static void note_work(const po_collector *reader, const po_equilibrium *e, bool panels) {
+  po_work *work = &reader->result->work;
+  *work = e->work;
+  work->nodes = panels ? reader->most_nodes : reader->surface->n;
+  work->kernel_evaluations = reader->surface->kernel_evaluations;
+}
+
+/* Makes the reverse trace. Status: PO_NO_MEMORY, PO_INTERRUPTED; any other status of the
+ * reverse trace is kept with its results. */
+static po_status trace_back(po_continuation *continuation, po_collector *reader) {
+  po_diagnostics *d = &reader->result->diagnostics;
+  const double begin = po_clock_wall();
+  po_status status = po_continuation_reverse(continuation, po_collector_visit_back, reader);
+  if (reader->status)
+    status = reader->status;
+  reader->status = PO_OK;
+  d->reverse_trace = po_reverse_trace_compare(&reader->kept, status);
+  d->seconds += po_clock_wall() - begin;
+  if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
+    return status;
+  po_message_clear();
+  return PO_OK;
+}
+
+/* The status of a trace that may have been stopped between two points. */
+static po_status unless_stopped(po_collector *reader, po_status status) {
+  const po_result *o = reader->result;
+  return status == PO_INTERRUPTED || status == PO_OUT_OF_TIME
+             ? po_collector_stop(reader, status, o->ended.approach, o->ended.load)
+             : status;
+}
+
+static po_status trace_elastic(const po_request *request, const po_attempt *a, po_collector *reader,
+                               po_surface *surface) {
+  const bool panels = po_surface_panels(surface);
+  const po_continuation_options options = options_of(request, a->begin, reader);
+  po_equilibrium *e = NULL;
+  po_continuation *continuation = NULL;
+  reader->begin = request->approach_start;
+  reader->begun = isnan(request->approach_start);
+  po_status status = po_equilibrium_create(&request->scene, surface, &e);
+  if (!status && panels)
+    e->precision = po_solve_precision(request->mesh.tolerance);
+  if (!status)
+    status = po_continuation_create(e, po_solve_allowance(a->tolerance), &options, &continuation);
+  if (!status) {
+    status = unless_stopped(reader, po_continuation_run(continuation));
+    note_work(reader, e, panels);
+  }
+  if (!status && !reader->status && reader->diagnoses && panels)
+    status = trace_back(continuation, reader);
+  po_continuation_destroy(continuation);
+  if (reader->diagnoses && !status)
+    status = po_diagnose_states(request, &reader->kept, e, reader->result);
+  po_equilibrium_destroy(e);
+  return status;
+}
+
+static double rigid_start(const po_law *law) {
+  double gap = RIGID_START;
+  while (-po_law_energy(law, gap) > RIGID_START_LOAD)
+    gap *= RIGID_START_GROWTH;
+  return gap;
+}
+
+static po_status trace_rigid(const po_request *request, double farthest, po_collector *reader) {
+  po_continuation_options options = options_of(request, NAN, reader);
+  const bool searches = po_request_search(request) != PO_SEARCH_NONE;
+  if (isnan(options.end))
+    options.end =
+        isnan(request->preload.load) && isfinite(request->preload.approach) && !searches
+            ? request->preload.approach
+            : po_solve_rigid_end(&request->scene, fmax(0.0, po_request_preload(request).load));
+  reader->result->rigid = true;
+  if (isfinite(request->preload.approach) &&
+      !(request->preload.approach < -po_law_numbers_of(&request->scene.law)->closest))
+    return po_fail(PO_BAD_INPUT,
+                   "preload is %g: expected less than %g, the greatest approach of rigid bodies",
+                   request->preload.approach, -po_law_numbers_of(&request->scene.law)->closest);
+  reader->begun = true;
+  double begin = request->approach_start;
+  if (isnan(begin))
+    begin = fmin(0.0, options.end) - rigid_start(&request->scene.law);
+  if (!isnan(request->stiffness))
+    begin = fmin(begin, farthest);
+  return unless_stopped(reader, po_rigid_trace(&request->scene, begin, &options));
+}
+
+/* Creates the surface of a request: a fixed mesh or panels; for a rigid scene only the nodes, which
+ * a profile needs. */
+static po_status make_surface(const po_request *request, bool rigid, double core,
+                              po_surface **surface) {
+  const po_scene *scene = &request->scene;
+  const double far_enough = rigid ? core : po_far_field_core(scene, core, request->mesh.tolerance);
+  if (rigid || request->mesh.scheme != PO_PANEL) {
+    po_mesh mesh = request->mesh;
+    if (mesh.scheme == PO_PANEL) {
+      mesh = po_mesh_default();
+      mesh.scheme = PO_TRIANGLE;
+    }
+    return po_surface_create(scene, &mesh, far_enough, !rigid, surface);
+  }
+  const double domain = po_solve_domain(scene, far_enough);
+  const double waves = domain / po_initial_gap_detail(scene);
+  uint32_t level = 2; /* 2^level panels have at most the length of a wave, if 64 are enough */
+  while (level < 6 && (double)(1 << level) < waves)
+    ++level;
+  return po_surface_create_panels(scene, domain, level, surface);
+}
+
+/* Fails because the points that are read have no minimum of the load: they begin beyond it, or the
+ * preload is so small that the trace passed none. */
+static po_status lacks_minimum(const po_request *request, const po_collector *reader) {
+  const po_curve_point *first = reader->points.path + reader->points.before;
+  if (!isnan(request->approach_start) && reader->points.count > reader->points.before &&
+      first->load_rate > 0.0)
+    return po_fail(
+        PO_NOT_FOUND,
+        "the load has no minimum between approach_start and approach %.6g: the trace is "
+        "read from approach %.6g, load %.6g on, where the load already rises; expected a "
+        "smaller approach_start, or none",
+        reader->result->ended.approach, first->approach,
+        first->load * po_scene_load_unit(&request->scene));
+  const po_preload preload = po_request_preload(request);
+  if (isnan(preload.approach))
+    return po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g",
+                   reader->result->ended.approach);
+  return po_fail(
+      PO_NOT_FOUND,
+      "the load has no minimum up to the preload, approach %.6g: the tension is greatest "
+      "where loading is reversed; expected a harder preload",
+      preload.approach);
+}
+
+/* If the continuation fails in a search beyond the preload, the search ends there. */
+static po_status end_search(po_status status, po_collector *reader) {
+  const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_NOT_CONVERGED ||
+                     status == PO_OUT_OF_NODES || status == PO_TOO_MANY_POINTS;
+  if (!stuck || !po_stopping_is_searching(&reader->stopping))
+    return status;
+  po_message_clear();
+  reader->result->ended.cause = PO_END_SEARCHED;
+  return PO_OK;
+}
+
+/* A trace that fails before it meets the preload has no pull-off: a deeper minimum may follow. The
+ * message then has the deepest minimum so far. Returned: the status. */
+static po_status without_pull_off(po_status status, const po_collector *reader) {
+  po_result *o = reader->result;
+  if (!status || reader->stopping.met || !o->has_pull_off)
+    return status;
+  o->has_pull_off = false;
+  return po_fail(
+      status,
+      "%s; the deepest minimum of the load so far, %.6g at approach %.6g, need not be the "
+      "pull-off",
+      *po_message() ? po_message() : po_status_text(status),
+      -o->pull_off.force * po_scene_load_unit(&reader->request->scene), o->pull_off.approach);
+}
+
+po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kept,
+                   po_result *result) {
+  const bool rigid = po_rigid_suffices(&request->scene);
+  po_surface *surface = NULL;
+  po_collector reader = {.request = request,
+                         .result = result,
+                         .for_series = kept,
+                         .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
+                         .special = {.greatest = {.traced_approach_error = NAN,
+                                                  .traced_load_error = NAN,
+                                                  .traced_energy_error = NAN}},
+                         .stopping = po_stopping_begin(request)};
+  if (kept) {
+    const bool minima = kept->minima;
+    po_kept_points_clear(kept);
+    *kept = (po_kept_points){.minima = minima, .tolerance = a->tolerance};
+  }
+  po_status status = PO_OK;
+  if (!rigid || (request->want & PO_WANT_PROFILE) || request->show)
+    status = make_surface(request, rigid, a->core, &surface);
+  if (status)
+    goto done;
+  reader.surface = surface;
+  status =
+      rigid ? trace_rigid(request, a->begin, &reader) : trace_elastic(request, a, &reader, surface);
+  if (!status)
+    status = reader.status;
+  status = end_search(status, &reader);
+  if (!status && result->ended.cause == PO_END_NONE)
+    result->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
+  if (!status && !reader.stopping.met && !isnan(request->approach_end) &&
+      !isnan(request->preload.load))
+    status =
+        po_fail(PO_NOT_FOUND,
+                "the trace ended at approach %.6g, load %.6g, before the load %g was reached; "
+                "expected a greater approach_end%s",
+                result->ended.approach, result->ended.load * po_scene_load_unit(&request->scene),
+                request->preload.load * po_scene_load_unit(&request->scene),
+                result->ended.load > 0.0 ? ", or a smaller load" : "");
+  if (!status && !result->has_pull_off && isnan(request->approach_end))
+    status = lacks_minimum(request, &reader);
+  if (!status)
+    status = po_loading_compute(&reader, &a->begin);
+  status = without_pull_off(status, &reader);
+done:
+  a->unmet_folds = reader.special.unmet_folds;
+  po_collector_end(&reader);
+  po_surface_destroy(surface);
+  return status;
+}
