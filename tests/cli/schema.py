@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 """Compares the JSON Schema of the documents (doc/pulloff-1.schema.json) with real output and with doc/json.md.
 
-Usage: schema.py PROGRAM SOURCE_TREE
+Usage: schema.py PROGRAM SOURCE_TREE PAGE
 
 - Every document that the commands below print or write must be valid, and every property of the schema must occur in
   one of them, so that no property of an earlier version is left.
 - The schema must reject an added key, a missing key and a value of a wrong type: each document is changed in these
   three ways.
 - The Python function of doc/json.md must give the digests of the documents.
-- doc/json.md must have a row for every key of every definition, and no others. Of results in SI units it states a rule.
+- PAGE, doc/json.md as it is built, must have a row for every key of every definition, and no others. Of results in SI units it states a rule.
 
 Exit status: 0 all hold, 1 otherwise, 77 python3-jsonschema is not installed.
 """
@@ -269,7 +269,7 @@ def main():
         tests.run("run mixed.yaml --solver solver.yaml --output some --points 0")
         tests.valid("record", pathlib.Path(folder, "some/solvers/good/mixed/part.json").read_text(), "record of one point")
     tests.tell("every property was seen", sorted(map(".".join, tests.unseen - NOT_HERE)))
-    tests.documented(root / "doc/json.md")
+    tests.documented(pathlib.Path(sys.argv[3]))
     print(f"{tests.passed} passed, {tests.failed} failed")
     return 1 if tests.failed else 0
 

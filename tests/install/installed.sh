@@ -44,5 +44,6 @@ if command -v man >/dev/null; then
       sh -c 'LC_ALL=C.UTF-8 MANWIDTH=100 man --warnings -l "$0" 2>&1 >/dev/null | (! grep .)' "$page"
   done
 fi
+check 'the page on JSON documents has its tables' grep -q '^| `pull_off` | meaning ' "$work/prefix/share/doc/pulloff/doc/json.md"
 check 'links in the documents' /usr/bin/python3 "$here/links.py" "$work/prefix/share/doc/pulloff"
 finish

@@ -1,10 +1,19 @@
 #!/usr/bin/python3
-"""Compares doc/json.md and doc/pulloff-1.schema.json with the keys of a scene (src/text/keys) and the rows of a result (src/core/result),
-from which they are made.
+"""Makes the tables of doc/json.md, from doc/pulloff-1.schema.json and from the rows of a result (src/core/result), and the
+definitions of a result in that schema, from the same rows and the keys of a scene (src/text/keys).
 
-Usage: rows.py PRINT_ROWS SOURCE_TREE [--write]
+Usage: rows.py PRINT_ROWS SOURCE_TREE [--write | --page FILE]
 
-With --write, the tables and definitions in the two files are replaced. Exit status: 0 they agree, 1 otherwise.
+Without an option the schema is compared with the rows; --write replaces the definitions that are made from them. The page is
+stored without its tables: --page, a step of the build, writes it with them. In the stored page
+
+- `<!-- rows: NAME -->` stands for the table of a definition that is made from rows;
+- `<!-- schema: NAME, ... -->` for that of definitions which are written by hand in the schema: the meaning of a key is its
+  `description`, when it is null or absent its `$comment`, and the heading of that column the `$comment` of the definition;
+  keys with the same texts share a row;
+- `…` in the table of the request for the words or the parameters of the laws or profiles.
+
+Exit status: 0 the schema agrees, 1 otherwise.
 """
 
 import json
@@ -78,9 +87,17 @@ def wrapped(words, width=108):
     return "[\n        " + "\n        ".join(lines).rstrip(",") + "\n      ]"
 
 
+def described(row):
+    """The JSON Schema of the value of a row, with its meaning and when it is null or absent."""
+    words = {"description": row["says"], "$comment": row["null"]}
+    return {key: text for key, text in words.items() if text} | value_of(row)
+
+
 def definition(name, rows):
-    """The text of a definition of the schema. A document may have more keys than a result."""
-    keys = ",\n        ".join(f'"{row["key"]}": {json.dumps(value_of(row))}' for row in rows)
+    """The text of a definition of the schema. A document may have more keys than a result. Keys of a scene, and those in SI
+    units, have no description: a row of a key says whose it is."""
+    value = value_of if name == "input" or "physical" in name else described
+    keys = ",\n        ".join(f'"{row["key"]}": {json.dumps(value(row), ensure_ascii=False)}' for row in rows)
     required = wrapped([row["key"] for row in rows if row["omitted"] == "0"])
     closed = "" if name == "result" else ',\n      "additionalProperties": false'
     return (f'    "{name}": {{\n      "type": "object",\n      "properties": {{\n        {keys}\n      }},\n'
@@ -102,19 +119,36 @@ def table(name, rows):
     return "\n".join(line.rstrip() for line in lines)
 
 
-def table_of_keys(text, rows):
-    """The page with the words and parameters of laws and profiles in its table of keys, which has to have all keys."""
+def table_of_schema(names, schema):
+    """The lines of a table of definitions that are written by hand, each key once."""
+    column = schema[names[0]].get("$comment", "")
+    rows = {}
+    for name in names:
+        for key, value in schema[name]["properties"].items():
+            if "description" in value:
+                rows.setdefault((value["description"], value.get("$comment", "")), []).append(f"`{key}`")
+    lines = [f"| {', '.join(f'`{name}`' for name in names)} | meaning |" + (f" {column} |" if column else ""),
+             "|---" * (3 if column else 2) + "|"]
+    lines += [f"| {', '.join(keys)} | {says} |" + (f" {null} |" if column else "") for (says, null), keys in rows.items()]
+    return "\n".join(lines)
+
+
+def page_with_tables(text, found, schema):
+    """The stored page with the tables of the definitions, and without the paragraph that says that it has none."""
     for owner in ("law", "profile"):
-        words = next(row["of"].split() for row in rows if row["key"] == owner)
+        words = next(row["of"].split() for row in found["input"] if row["key"] == owner)
         listed = ", ".join(f"`{word}`" for word in words)
-        text = replaced(text, rf"^(\| `{owner}` \| [^|:]*: )`.*?` \|", rf"\g<1>{listed} |", owner)
-        listed = ", ".join(f"`{row['key']}`" for row in rows if row["says"] == owner and row["type"] == "number")
-        text = replaced(text, rf"^\| `.*` (\| parameters of the {owner} \|)", rf"| {listed} \g<1>", f"parameters of the {owner}")
-    table = re.search(r"^\| `input` \| meaning .*(?:\n\|.*)*", text, re.M)[0]
-    lacking = [row["key"] for row in rows if f"`{row['key']}`" not in table]
+        text = replaced(text, rf"^(\| `{owner}` \| [^|:]*: )… \|", rf"\g<1>{listed} |", owner)
+        listed = ", ".join(f"`{row['key']}`" for row in found["input"] if row["says"] == owner and row["type"] == "number")
+        text = replaced(text, rf"^\| … (\| parameters of the {owner} \|)", rf"| {listed} \g<1>", f"parameters of the {owner}")
+    request = re.search(r"^\| `input` \| meaning .*(?:\n\|.*)*", text, re.M)[0]
+    lacking = [row["key"] for row in found["input"] if f"`{row['key']}`" not in request]
     if lacking:
         sys.exit(f"doc/json.md: the table of `input` lacks {', '.join(lacking)}")
-    return text
+    for name, rows in found.items():
+        text = text if name == "input" else replaced(text, rf"^<!-- rows: {name} -->$", table(name, rows), name)
+    text = re.sub(r"^<!-- schema: (.*) -->$", lambda names: table_of_schema(names[1].split(", "), schema), text, flags=re.M)
+    return replaced(text, r"^<!-- as it is stored -->\n(?:.+\n)+\n", "", "the paragraph on the stored page")
 
 
 def in_si(found):
@@ -152,28 +186,31 @@ def replaced(text, pattern, new, what):
     return re.sub(pattern, lambda found: found.expand(new) if "\\g<" in new else new, text, flags=re.M)
 
 
+def schema_with_definitions(text, found):
+    """The JSON Schema with the definitions of the rows."""
+    found["input"].append(NAMELESS | {"key": "load_unit", "type": "unit"})
+    for name, rows in found.items():
+        text = replaced(text, rf'^    "{name}": {{\n(?:     .*\n)*    }}', definition(name, rows), name)
+    pattern = r'^    "(?:physical(?!_input)\w*|record_physical)": {\n(?:     .*\n)*    }(?:,\n)?'
+    text = re.sub(pattern, "", text, flags=re.M)
+    defined = "".join(definition(name, rows) + ",\n" for name, rows in in_si(found).items())
+    return replaced(text, r'^    "theory_physical": {\n', defined + '    "theory_physical": {\n', "theory_physical")
+
+
 def main():
     program, root, *more = sys.argv[1:]
     page, schema = pathlib.Path(root, "doc/json.md"), pathlib.Path(root, "doc/pulloff-1.schema.json")
-    texts = {page: page.read_text(), schema: schema.read_text()}
-    found = blocks(program)
-    keys = found["input"]
-    texts[page] = table_of_keys(texts[page], keys)
-    keys.append(NAMELESS | {"key": "load_unit", "type": "unit"})
-    for name, rows in found.items():
-        texts[page] = texts[page] if name == "input" else replaced(texts[page], rf"^\| `{name}` \| meaning .*(?:\n\|.*)*", table(name, rows), name)
-        texts[schema] = replaced(texts[schema], rf'^    "{name}": {{\n(?:     .*\n)*    }}', definition(name, rows), name)
-    pattern = r'^    "(?:physical(?!_input)\w*|record_physical)": {\n(?:     .*\n)*    }(?:,\n)?'
-    schema_text = re.sub(pattern, "", texts[schema], flags=re.M)
-    defined = "".join(definition(name, rows) + ",\n" for name, rows in in_si(found).items())
-    texts[schema] = replaced(schema_text, r'^    "theory_physical": {\n', defined + '    "theory_physical": {\n', "theory_physical")
-    wrong = [path for path, text in texts.items() if text != path.read_text()]
-    for path in wrong:
-        if more == ["--write"]:
-            path.write_text(texts[path])
-        else:
-            print(f"{path.name} does not agree with keys and rows: run tests/cli/rows.py with --write")
-    return 1 if wrong and not more else 0
+    found, text = blocks(program), schema.read_text(encoding="utf-8")
+    if more[:1] == ["--page"]:
+        made = page_with_tables(page.read_text(encoding="utf-8"), found, json.loads(text)["$defs"])
+        pathlib.Path(more[1]).write_text(made, encoding="utf-8")
+        return 0
+    renewed = schema_with_definitions(text, found)
+    if renewed != text and more == ["--write"]:
+        schema.write_text(renewed, encoding="utf-8")
+    elif renewed != text:
+        print(f"{schema.name} does not agree with keys and rows: run tools/rows.py with --write")
+    return 1 if renewed != text and not more else 0
 
 
 if __name__ == "__main__":

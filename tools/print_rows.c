@@ -1,7 +1,7 @@
 /* Prints the keys of a scene and the rows of a result, one a line, cells between tabs: definition,
  * key, type, unit, name of the SI unit, error, null, omitted, definition of the part or words,
- * says; of a key says is its owner. tests/cli/rows.py makes tables of doc/json.md and definitions
- * of the JSON Schema of them. */
+ * says; of a key says is its owner. tools/rows.py makes tables of doc/json.md and definitions of the
+ * JSON Schema of them. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
