@@ -12,8 +12,8 @@ A command with its output is a fenced block:
 
 A file that a page shows is written before the commands below it: ```python file=my/solver.py.
 
-`$ build/src/cli/pulloff` means the same, and a backslash at the end of a line continues the command. A line `...` stands
-for any number of lines of output. Output has to be the same to the last digit, on every machine, except:
+`$ build/src/cli/pulloff` means the same, `$ python3 FILE` runs a file of the page with the Python module, and a backslash at
+the end of a line continues the command. A line `...` stands for any number of lines of output. Output has to be the same to the last digit, on every machine, except:
 
 - times: the seconds of JSON documents, numbers before ` s`, and those in a column `seconds`;
 - numbers that an external solver computes (commands with --solver), which may differ by 1e-5 (relative);
@@ -40,7 +40,8 @@ import tempfile
 
 BLOCK = re.compile(r"^```(console|\w+ file=(\S+))\n(.*?)^```$", re.M | re.S)
 SHOWN_FOLDER = "/home/me"
-COMMAND = re.compile(r"(?:build/src/cli/)?pulloff (.*)")
+COMMAND = re.compile(r"((?:build/src/cli/)?pulloff|python3) (.*)")
+PYTHON = "/usr/bin/python3"  # which has NumPy
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
 BOUND = re.compile(r"<!-- pulloff (.*?): (.*?) -->")
 OF_OTHERS = 1e-5  # what numbers of external solvers may differ by
@@ -107,7 +108,9 @@ def split(text):
 class Tests:
     def __init__(self, program, root, folder, write):
         self.program, self.folder, self.write = program, folder, write
-        self.environment = dict(os.environ, PULLOFF_DATA=str(root))
+        library = pathlib.Path(program).parents[1] / "library/libpulloff.so.0"
+        self.environment = dict(os.environ, PULLOFF_DATA=str(root), PULLOFF_LIBRARY=str(library), PYTHONPATH=str(root / "python"),
+                                PYTHONDONTWRITEBYTECODE="1")
         self.passed = self.failed = 0
 
     def tell(self, what, wrong):
@@ -121,9 +124,10 @@ class Tests:
         """The lines that a command line prints; None if it fails."""
         words = COMMAND.fullmatch(command.replace("\\\n", " "))
         if not words:
-            self.tell(command, "not a command of pulloff")
+            self.tell(command, "not a command of pulloff, nor python3")
             return None
-        ended = subprocess.run([self.program, *shlex.split(words[1])], cwd=self.folder, env=self.environment,
+        program = PYTHON if words[1] == "python3" else self.program
+        ended = subprocess.run([program, *shlex.split(words[2])], cwd=self.folder, env=self.environment,
                                capture_output=True, text=True)
         if ended.returncode:
             self.tell(command, f"exit status {ended.returncode}: {ended.stderr.strip()}")

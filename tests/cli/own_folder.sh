@@ -1,5 +1,5 @@
 #!/bin/sh
-# The page on a case folder of one's own: its commands, one after the other, in an empty folder. And pulloff seal.
+# The section on a case folder of one's own: its commands, one after the other, in an empty folder. And pulloff seal.
 # shellcheck disable=SC1091,SC2154
 . "$(dirname "$0")/lib.sh"
 mkdir bin empty
@@ -8,7 +8,8 @@ PATH=$work/bin:$PATH
 PULLOFF_DATA=$here/../..
 export PATH PULLOFF_DATA
 
-awk '/^```sh$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$here/../../doc/own_cases.md" >commands
+awk '/^## A case folder of your own$/ { section = 1 } /^```sh$/ { inside = section; next } /^```$/ { inside = 0 } inside' \
+  "$here/../../doc/cases.md" >commands
 check 'the page has commands' test "$(grep -c pulloff commands)" -gt 8
 (cd empty && sh -e ../commands) >stdout 2>stderr
 check "the commands of the page: $(cat stderr)" test $? -eq 0
