@@ -3,19 +3,9 @@
  *
  *   x_i - sum_j G_ij factor_j x_j + d = right_i,   sum_j border_j x_j + border_n d = right_n
  *
- * A cell of the tree feels the others as a field w at the skeleton nodes (po_skeleton.h) of the
- * cell, and is felt by them through the moments z of its factor_j x_j. For given right-hand sides
- * both are related by z = z0 + Z w. A panel gives this relation by the inverse of its own block,
- * and the relations of the halves 1 and 2 of a cell, with the kernel S between their skeleton
- * nodes,
- *
- *   w_1 = E_1 w + S z_2,   w_2 = E_2 w + S^T z_1,   z = E_1^T z_1 + E_2^T z_2,
- *
- * give that of the cell. The unknown d is a constant field on the domain, and the border adds one
- * row to Z. So the factors take a time proportional to the number of panels. The product of the
- * determinants of all blocks that are inverted is that of the matrix.
- *
- * The factors of the panel to infinity are taken as zero. The error is that of the skeletons.
+ * doc/method.md, "Factors on panels", has the relations of a cell and its halves. The unknown d is
+ * a constant field on the domain, and the border adds one row to Z. The factors of the panel to
+ * infinity are taken as zero. The error is that of the skeletons (po_skeleton.h).
  *
  * Source: A. Gillman, P.M. Young, P.G. Martinsson, Front. Math. China 7, 217 (2012). */
 #ifndef PO_ELIMINATION_H

@@ -1,13 +1,5 @@
 /* The influence matrix of a mesh of panels in hierarchical form, for meshes on which the dense
- * matrix costs too much.
- *
- * The panels are the leaves of a binary tree of cells. Like a panel, a cell has 12 Gauss-Legendre
- * nodes. Two cells interact through the kernel between their nodes if the gap between them is at
- * least twice the length of each that is not a panel: the kernel is then a polynomial of degree 11
- * on the cell to 1e-12. The charges of a panel, weight times traction, are carried from the nodes
- * of a cell to those of its parent by the transpose of the interpolation, and the deflections back
- * by the interpolation. Two panels interact directly, with the blocks of po_panel_table. So the
- * number of blocks is proportional to that of the panels. The blocks depend on the places of the
+ * matrix costs too much: doc/method.md, "The tree of cells". The blocks depend on the places of the
  * cells only, and are kept from mesh to mesh.
  *
  * Source: L. Greengard, V. Rokhlin, J. Comput. Phys. 73, 325 (1987); interpolation in place of

@@ -1,16 +1,12 @@
 /* A basis for the deflection of a cell of panels by tractions outside of it, and for the action of
- * tractions of the cell outside of it.
+ * tractions of the cell outside of it: 16 skeleton nodes of the cell, and functions L with
  *
- * The kernel as a function of the place on the cell has its singularity outside, possibly at an
- * end. Such functions are interpolated from 16 skeleton nodes of the cell, which crowd at its ends:
+ *   g(x) = sum_k g(x_k) L_k(x) + error,   g = G(., s), s outside of the cell
  *
- *   g(x) = sum_k g(x_k) L_k(x) + error,   g = G(., s), s outside of the cell.
- *
- * The nodes and the functions L are the same for all cells. They are found once, by pivoted
- * factorisation of samples of the kernel (interpolative decomposition). The error is 1e-5 of the
- * interaction of two neighbouring cells; a test requires that the deflection by a constant traction
- * is right to 1e-4 (tests/unit/test_hierarchy.c): enough for the factors of a quasi-Newton
- * iteration.
+ * (doc/method.md, "Factors on panels"). They are found once, by pivoted factorisation of samples of
+ * the kernel (interpolative decomposition). The error is 1e-5 of the interaction of two
+ * neighbouring cells; a test requires that the deflection by a constant traction is right to 1e-4
+ * (tests/unit/test_hierarchy.c): enough for the factors of a quasi-Newton iteration.
  *
  * Source: P.G. Martinsson, V. Rokhlin, J. Comput. Phys. 205, 1 (2005); H. Cheng, Z. Gimbutas, P.G.
  * Martinsson, V. Rokhlin, SIAM J. Sci. Comput. 26, 1389 (2005). */

@@ -6,8 +6,7 @@
 #include "po_panel.h"
 #include "po_surface.h"
 
-/* Panels for which a surface has room: of any scene, and more for each wave on the domain. The
- * finest meshes of (3, 1, 20) take four a wave. */
+/* Panels for which a surface has room: of any scene, and more for each wave on the domain. */
 static const double ROOM = 4096.0, ROOM_A_WAVE = 8.0;
 
 static size_t room_of(const po_scene *scene, double domain) {

@@ -11,9 +11,7 @@
 enum { ORDER = 4 };
 typedef double band[ORDER]; /* the diagonal, and what is 1, 2 and 3 beside it */
 
-/* First number of knots, and part of the parameters above which there are twice as many. In 40
- * draws each of four noises of a wavy tip, half and twice that part change the error of the spline
- * by less than 1 %; half and twice the first number change nothing. */
+/* First number of knots, and part of the parameters above which there are twice as many. */
 enum { FIRST_KNOTS = 16 };
 static const double MOST_USED = 0.25;
 

@@ -1,23 +1,10 @@
 /* The pull-off along a series of scenes (parameter continuation). Some scenes, the checkpoints, are
  * traced completely; between them the minima of the load are followed from scene to scene, at a few
- * factorisations for each.
- *
- * A trace finds all minima of its scene. From each of two neighbouring checkpoints, every minimum
- * that is not much shallower than the deepest one is followed to the other checkpoint. The deepest
- * of the followed minima is the pull-off of a scene between. This is accepted if the followed
- * minima agree with both traces:
- *   - no minimum arrives with a lower load than the traced pull-off;
- *   - no minimum ends between the checkpoints while it is the deepest;
- *   - every minimum that is the deepest at some scene was found by both traces, well before their
- *     ends, or by one of them, if it merges with a maximum before it reaches the other. A trace
- *     ends where the sphere is pressed enough; a minimum beyond that end is not the pull-off,
- *     although it can be followed. Example: at mu = 3, lambda = 50, R = 200 (eps), the minimum of
- *     load -5.8 that is the pull-off at A = 5.6 lies beyond the end at A = 5.74.
- *
- * If they do not agree, the scene half way between is traced, and the method is applied to both
- * halves. So every pull-off is either traced, or lies between two traces that agree with the
- * followed minima. The method misses a minimum that becomes the deepest and ceases to be so between
- * two checkpoints, if at both checkpoints it is much shallower or beyond the end of the trace. */
+ * factorisations for each. The deepest of the followed minima is the pull-off of a scene between,
+ * if the followed minima agree with both traces; otherwise the scene half way between is traced,
+ * and the method is applied to both halves. doc/cases.md, "Follow", has the rule, and what it
+ * misses. A trace ends where the sphere is pressed enough; a minimum beyond that end is not the
+ * pull-off, although it can be followed. */
 #ifndef PO_SERIES_H
 #define PO_SERIES_H
 

@@ -14,12 +14,11 @@
 /* Allowed distance between the branch and the cubics through its points: MISS_OF_TOLERANCE times
  * the tolerance of panels, but at least LEAST_MISS, or LEAST_OF_STAIRCASE if no curve is drawn. The
  * number of points goes as the distance to the power -1/4. Staircases use the cubics only for the
- * energies lost; with 1e-5 in place of 1e-8 they take a third of the points. */
+ * energies lost. */
 static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8, LEAST_OF_STAIRCASE = 1e-5;
 
-/* MISS_OF_TOLERANCE for loops. With 0.1 the work of a closed loop, in which the areas between the
- * branch and the cubics add up, differs by up to 0.15 of the tolerance from the energy that its
- * jumps lose (mu = 2.2 and 2.385, R = 83). */
+/* MISS_OF_TOLERANCE for loops, less because the areas between the branch and the cubics add up in
+ * the work of a closed loop. */
 static const double MISS_OF_LOOPS = 0.06;
 
 double po_estimate_miss(const po_request *request) {

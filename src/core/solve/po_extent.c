@@ -95,9 +95,8 @@ double po_solve_core(const po_request *request) {
 
 /* Allowed error of the gap, eps, divided by the square root of the relative tolerance of the
  * pull-off force, and its greatest value at any tolerance. The square root, because the error of
- * the load goes as the square of the last Legendre coefficients. Chosen for the smooth sphere
- * (tests/unit/test_panels.c). Where the curve is steeper or the contact edge sharper, the panel
- * itself asks for less (RIPPLE in po_resolution.c). */
+ * the load goes as the square of the last Legendre coefficients. Where the curve is steeper or the
+ * contact edge sharper, the panel itself asks for less (RIPPLE in po_resolution.c). */
 static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-4;
 
 /* Allowed error of the load of a panel, divided by the tolerance. The estimate of this error is
@@ -119,10 +118,9 @@ double po_solve_precision(double tolerance) {
 
 /* -- Nodes and memory -- */
 
-/* Panels of the finest mesh, fitted to 290 random scenes of mu 0.1 to 15, A/lambda up to 1.5,
- * wavelengths of 4 to 60 eps, radii of 20 to 1000 eps and tolerances of 1e-4 to 1e-8; the meshes
- * had between 0.5 and 2.2 times as many. A contact edge is 1/coupling wide; the mesh is halved
- * towards the edges, and within each wave as far as the amplitude asks for it. */
+/* Panels of the finest mesh, fitted to random scenes, whose meshes had between 0.5 and 2.2 times as
+ * many. A contact edge is 1/coupling wide; the mesh is halved towards the edges, and within each
+ * wave as far as the amplitude asks for it. */
 static const double PANELS = 4.5, PANELS_A_HALVING = 2.9, PANELS_A_WAVE = 1.0,
                     PANELS_A_HALVING_OF_WAVE = 1.9;
 

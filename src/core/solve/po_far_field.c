@@ -12,12 +12,10 @@
 
 /* -- The error of a solution -- */
 
-/* Factor of the leading term of the error of the average. In six scenes the term was from 0.93 to
- * 1.02 of the error. */
+/* Factor of the leading term of the error of the average. */
 static const double LEADING = 2.0;
 
-/* Part of the load of the last Legendre coefficients that is taken for the error of the polynomial.
- * With m = 2.2 the error was 0.01 of that load, with larger m less. */
+/* Part of the load of the last Legendre coefficients taken for the error of the polynomial. */
 static const double OF_LAST = 0.1;
 
 /* A radius, eps, and H of the mean surface there. */

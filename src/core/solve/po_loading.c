@@ -309,10 +309,8 @@ static po_status read_hysteresis(const po_collector *reader, const po_path *path
 }
 
 /* Largest distance of a curve from its interpolation, over the one for which its points are chosen.
- * Of 585 jumps through springs in 164 random scenes (tests/estimates) twelve began at more than
- * that distance from the curve, the farthest at 11 times: where a soft spring jumps into contact
- * from far away, on a segment along which the attraction grows manifold. Three times that is
- * allowed. */
+ * It is greatest where a soft spring jumps into contact from far away, on a segment along which the
+ * attraction grows manifold. */
 static const double MOST_OF_MISS = 32.0;
 
 po_status po_loading_compute(const po_collector *reader, double *begin) {

@@ -53,8 +53,7 @@ static po_status accompany(const po_request *request, po_result *result) {
 
 /* If the estimated error of the pull-off force exceeds the tolerance, or a fold is not found on a
  * finer mesh and is therefore probably spurious, the trace is repeated with this part of the
- * tolerance that would suffice. The scene of tests/unit/test_panels.c that needs this and the two
- * ratios below has crests between the nodes of the first mesh. */
+ * tolerance that would suffice. */
 static const double SHARPER = 0.3;
 
 /* Ratio of error to tolerance that is assumed if the error could not be estimated. */

@@ -61,8 +61,7 @@ void po_stopping_note_point(po_stopping *s, const po_branch_point *p, const po_c
 
 /* Load, pi w R, at which a search ends. A search continues at least to the default preload, because
  * its bound is that of the JKR theory: at small Tabor parameters the first minimum may be deeper
- * than any of the JKR theory. Of 1,000 random scenes (tests/estimates/README.md) 55 % are complete
- * at the default preload, 80 % at this load. */
+ * than any of the JKR theory. */
 static const double HARDEST = 100.0;
 /* The effort of a limited search is at most a multiple of the effort before it, plus a constant.
  * The effort is the sum over the points of the square of the number of nodes, about the work of the

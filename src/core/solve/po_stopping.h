@@ -1,16 +1,6 @@
-/* The stopping rule: where the trace of a branch ends. See doc/method.md, "The stopping rule".
- *
- * The trace ends at the preload: at the first stable equilibrium at which loading at given approach
- * has reached the approach or the load of the preload. If the request has no preload, it is the
- * load pi w R (po_request_preload).
- *
- * If the request asks for harder preloads (po_request_search), the trace continues beyond the
- * preload. It ends where no minimum of the load beyond can be deeper than the deepest so far, by
- * the bound of the request, or at 100 pi w R. The bound applies to a contact without grooves, so it
- * is compared with the radius of the disc in contact about the axis.
- *
- * The load of a smooth sphere has one minimum, so no preload changes its pull-off. If no preload is
- * given, its trace ends at the first stable equilibrium under compression beyond the minimum. */
+/* Where the trace of a branch ends: doc/method.md, "The stopping rule". The bound of a search
+ * applies to a contact without grooves, so it is compared with the radius of the disc in contact
+ * about the axis. */
 #ifndef PO_STOPPING_H
 #define PO_STOPPING_H
 

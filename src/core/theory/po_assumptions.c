@@ -13,12 +13,11 @@ typedef struct {
   double limit;
 } assumption;
 
-/* Limits of the assumptions, chosen with tests/estimates/theories.py so that a theory is within 5 %
- * where they hold, and the interpolations of the smooth sphere within 7 % (doc/guide.md has how
- * often). The zone of the limit makes JKR of the smooth sphere 3 % low, the elongation the rigid
- * one 5 % high. A theory of many waves in the contact needs so MANY_WAVES. Theories that leave the
- * work of adhesion at the mean energy need a BARRIER of the waves that is small. That of one crest
- * needs a next crest that is farther away than NEXT_CREST eps. */
+/* Limits of the assumptions, such that a theory is within 5 % where they hold, and the
+ * interpolations of the smooth sphere within 7 % (tests/estimates/theories.py). A theory of many
+ * waves in the contact needs so MANY_WAVES. Theories that leave the work of adhesion at the mean
+ * energy need a BARRIER of the waves that is small. That of one crest needs a next crest that is
+ * farther away than NEXT_CREST eps. */
 static const double ELONGATION = 0.2, TOUCH = 0.05, ZONE = 0.05, FLAT = 0.06, EFFECT = 0.05,
                     MANY_WAVES = 2.0, BARRIER = 0.01, NEXT_CREST = 40.0;
 

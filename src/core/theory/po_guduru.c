@@ -128,8 +128,7 @@ const double PO_GUDURU_FIRST = 1e-9;
  * spacing of doubles is then 1e-8 wavelengths, so that a minimum could be located only to 1e-15 of
  * the load. */
 static const double MOST_WAVES = 1e8;
-/* GROWTH: factor of the outward search for a contact radius beyond all minima; it and FINEST change
- * nothing but the last bits of the minimum that is found. FINEST: step of the
+/* GROWTH: factor of the outward search for a contact radius beyond all minima. FINEST: step of the
  * inward search on a smooth sphere, relative to that radius; and the radius at which the inward
  * search ends, relative to its step. */
 static const double GROWTH = 1.3, FINEST = 1e-3;

@@ -23,10 +23,10 @@ enum { MOST_POINTS = 1 << 18 };
 /* The largest ratio of successive contact radii in the first wavelength. */
 static const double RATIO = 1.05;
 /* While the curve is too short, it is computed again up to a contact radius that is larger by this
- * factor. 2 of 400 random scenes need it: their lowest minimum is in a wide trough. */
+ * factor. It is needed where the lowest minimum is in a wide trough. */
 static const double LONGER = 1.6;
 /* Two loads that differ by less, relatively, are the same: above the rounding of a minimum, which
- * is 1e-14. The staircases of 400 random scenes are the same with 1e-14 and with 1e-3. */
+ * is 1e-14. */
 static const double SAME = 1e-9;
 
 /* The curve of a scene. For those of the paper it is that of Eq 5, for all others that of

@@ -179,9 +179,8 @@ typedef struct {
   po_status stopped;
 } search;
 
-/* The most intervals that are searched. Of 2,000 random spheres with one wave, and up to 1.4e6
- * waves in the contact, none needs so many; of 200 random scenes with three waves 9 do, after 0.4
- * s, with couplings above 10. */
+/* The most intervals that are searched. No sphere with one wave is known to need so many;
+ * some scenes with three waves and couplings above 10 do, after 0.4 s. */
 enum { MOST_INTERVALS = 1 << 18 };
 /* A bound that exceeds the wanted value by less than this part of it excludes nothing. */
 static const double ROUNDING = 1e-12;

@@ -208,11 +208,10 @@ static po_status theories(const po_request *request, po_result *result) {
 
 /* Margins of the bound. EXCESS: the adhesive part of Eq 5 is multiplied by 1 + EXCESS. WAVES: the
  * contact radius of a minimum may exceed that of the same minimum of Eq 5 by this fraction of the
- * longest wavelength. Of 1,000 random scenes (tests/estimates/preloads.py) 96 have a tensile
- * minimum beyond the default preload, and the bound held for all of them with EXCESS = 0. Of 40
- * wavy scenes of other profiles and laws none has such a minimum. For smooth spheres of small Tabor
- * parameter the JKR theory is no bound (its pull-off force is 1.5 pi w R, that of a rigid sphere 2
- * pi w R); there the smallest load of a search applies (po_stopping.c). */
+ * longest wavelength. tests/estimates/preloads.py measures the bound: on random scenes it held with
+ * EXCESS = 0. For smooth spheres of small Tabor parameter the JKR theory is no bound (its pull-off
+ * force is 1.5 pi w R, that of a rigid sphere 2 pi w R); there the smallest load of a search
+ * applies (po_stopping.c). */
 static const double EXCESS = 0.1, WAVES = 0.25;
 
 static double bound(const po_scene *scene, double load) {
