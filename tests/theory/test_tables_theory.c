@@ -60,6 +60,35 @@ START_TEST(guduru_pull_off_agrees_with_the_table) {
 }
 END_TEST
 
+/* The states of jkr_grooves_path.csv whose contact is a disc are those of Eq 5, since the pressure
+ * does not depend on the gap outside. With lambda = R = epsilon, alpha is the amplitude and beta =
+ * 1/(2 pi mu^1.5). The table has 12 digits; its errors are below 1e-9. */
+START_TEST(guduru_agrees_with_discs_between_grooves) {
+  table t = table_open("jkr_grooves_path.csv");
+  size_t discs = 0;
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const char *edges = table_word(&t, row, "edges");
+    double a;
+    int end = 0;
+    if (sscanf(edges, "0;%lf%n", &a, &end) != 1 || edges[end])
+      continue;
+    discs += 1;
+    const po_scene s = {.tabor = pow(2.0 * M_PI * table_number(&t, row, "beta"), -2.0 / 3.0),
+                        .amplitude = table_number(&t, row, "alpha"),
+                        .wavelength = 1.0,
+                        .radius = 1.0,
+                        .outer_radius = INFINITY};
+    const po_contact got = po_guduru_at(&s, a), size = terms_at(&s, a);
+    table_compare(&t, row, "load", got.load, 1e-9 * size.load);
+    table_compare(&t, row, "approach", got.approach, 1e-9 * size.approach);
+  }
+  ck_assert_uint_ge(discs, 50);
+  ck_assert_uint_eq(t.compared, 2 * discs);
+  printf("%s: %zu discs, at most %.3f of the tolerance\n", t.csv.path, discs, t.worst);
+  po_csv_clear(&t.csv);
+}
+END_TEST
+
 START_TEST(envelope_agrees_with_the_table) {
   table t = table_open("kesari_lew.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -156,6 +185,7 @@ static void add(TCase *tests) {
   gsl_set_error_handler_off();
   tcase_add_test(tests, guduru_agrees_with_the_table);
   tcase_add_test(tests, guduru_pull_off_agrees_with_the_table);
+  tcase_add_test(tests, guduru_agrees_with_discs_between_grooves);
   tcase_add_test(tests, envelope_agrees_with_the_table);
   tcase_add_test(tests, transition_agrees_with_the_table);
   tcase_add_test(tests, edges_agree_with_the_table);
