@@ -92,9 +92,10 @@ def main():
     parser.add_argument("--seed", type=int, default=2)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--time-limit", type=float, default=1.0, help="processor time of a solve, s")
+    parser.add_argument("--profiles", default=",".join(PROFILES), help="profiles that are drawn, with repetitions")
     parser.add_argument("--list", action="store_true", help="print each scene that is outside")
     given = parser.parse_args()
-    words = [scene(given.seed, index) for index in range(given.count)]
+    words = [scene(given.seed, index, given.profiles.split(",")) for index in range(given.count)]
     with ThreadPoolExecutor(given.jobs) as pool:
         found = list(pool.map(lambda one: rows_of(given.program, one, given.time_limit), words))
     solved = sum(rows is not None for rows in found)
