@@ -330,7 +330,7 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
 }
 
 po_status po_continuation_advance(po_continuation *t) {
-  bool missed = false, settled = false;
+  bool settled = false;
   for (;;) {
     if (t->step < PO_LOCATED)
       return po_fail(PO_STEP_TOO_SMALL,
@@ -347,12 +347,7 @@ po_status po_continuation_advance(po_continuation *t) {
       return t->c.trouble;
     if (!a.met && !settled)
       settled = settle(t, a.step);
-    if (!status) {
-      /* waves are alike: a length that failed here would fail at the next wave, too */
-      if (missed && !po_scene_is_simple(t->c.e->scene))
-        t->step = fmin(a.next, a.step);
+    if (!status)
       return PO_OK;
-    }
-    missed = missed || !a.met;
   }
 }

@@ -29,36 +29,6 @@ static bool move(po_prediction *p, double distance) {
   return po_edge_may_move(edges, p->shift);
 }
 
-/* Removes the contact edges first <= k < end from those that move the coordinates. */
-static void drop(po_prediction *p, size_t first, size_t end) {
-  po_moving_edges *edges = &p->edges;
-  for (size_t from = end, to = first; from < edges->count; ++from, ++to) {
-    edges->at[to] = edges->at[from];
-    edges->rate[to] = edges->rate[from];
-    p->back[to] = p->back[from];
-    p->rate_back[to] = p->rate_back[from];
-  }
-  edges->count -= end - first;
-}
-
-/* Removes the kink of the profile if it is at an end of the interval with the largest strain;
- * otherwise the two contact edges with the largest strain between them, or the innermost one if it
- * closes at the axis, or the last one, whose strain is the same on both sides. Returned: false if
- * only the outermost of several edges could be removed. */
-static bool drop_tightest(po_prediction *p) {
-  size_t second;
-  po_edge_strain(&p->edges, p->shift, &second);
-  for (size_t k = second > 0 ? second - 1 : 0; k <= second && k < p->edges.count; ++k)
-    if (p->edges.at[k] == p->kink) {
-      drop(p, k, k + 1);
-      return true;
-    }
-  if (p->edges.count > 1 && second == p->edges.count)
-    return false;
-  drop(p, second > 1 ? second - 1 : 0, p->edges.count == 1 ? 1 : second + 1);
-  return true;
-}
-
 /* Adds the kink of the profile, which does not move, to the contact edges that do: the gap has
  * features of the width of a contact edge there. */
 static void hold_kink(po_prediction *p) {
@@ -94,12 +64,12 @@ static po_prediction begin(const po_equilibrium *e, const po_solution *a, const 
   return p;
 }
 
-/* Predicts at a distance, with as many moving contact edges as possible. */
+/* Predicts at a distance, with all moving contact edges or none. */
 static bool predict(po_prediction *p, double distance) {
-  bool useful = move(p, distance);
-  while (!useful && drop_tightest(p))
-    useful = move(p, distance);
-  return useful;
+  if (move(p, distance))
+    return true;
+  p->edges.count = 0;
+  return move(p, distance);
 }
 
 bool po_prediction_make(const po_equilibrium *e, const po_solution *a, const po_solution *b,

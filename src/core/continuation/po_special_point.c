@@ -7,7 +7,7 @@
 #include "po_hermite.h"
 #include "po_root.h"
 
-enum { MOST_ROOT_STEPS = 40, LEAST_ROOT_STEPS = 5, HALVING = 4, MOST_SPLITS = 14 };
+enum { MOST_ROOT_STEPS = 40, LEAST_ROOT_STEPS = 5, MOST_SPLITS = 14 };
 
 const double PO_LOCATED = 1e-9;
 
@@ -22,18 +22,6 @@ static const double SUSPECT = 0.4;
  * this, relative to the length of the interval: the rate then falls towards a special point of the
  * next interval. Without this exception intervals are halved down to the distance of that point. */
 static const double VERTEX_OUTSIDE = 0.5;
-
-/* Length, along the arclength functional, to which an interval is halved if the number of contact
- * edges changes in it: special points may be close together there. Without this rule a trace passed
- * over two extrema of the load 0.07 eps apart, 0.023 along the arclength functional
- * (tests/unit/test_reverse_trace.c). */
-static const double BIRTH_WAY = 0.02;
-
-/* The same for the two adjacent intervals. At mu = 1.57 two extrema of the load 0.053 eps apart,
- * 0.034 along the arclength functional, are just before a contact annulus forms
- * (tests/unit/test_reverse_trace.c). With 0.02 the trace of mu = 5, A = 10 takes 9 % more Newton
- * iterations and finds no other extrema. */
-static const double BESIDE_BIRTH_WAY = 0.03;
 
 /* The function whose root is the event; NaN for a station or an end that is not set. */
 static double event_value(const po_interval *interval, po_event_kind of, const po_sample *s) {
@@ -73,60 +61,18 @@ static po_status collect_between(const po_interval *interval, const po_sample *a
   return status;
 }
 
-/* Which ends of an interval are shared with an interval in which a contact annulus forms or
- * vanishes. */
-enum { NEITHER = 0, BEGINNING = 1, ENDING = 2 };
-
-/* Whether a contact annulus forms or vanishes between two samples. The first contact is not
- * counted: steps are short there, and a smooth sphere of mu = 1 would take a tenth more Newton
- * iterations. */
-static bool changes_annuli(const po_sample *a, const po_sample *b) {
-  return a->edges != b->edges && a->edges > 0 && b->edges > 0;
-}
-
-/* The greatest allowed length of an interval, depending on whether a contact annulus forms or
- * vanishes in it or in an adjacent one. */
-static double longest_way(const po_sample *a, const po_sample *b, unsigned adjoins) {
-  if (a->edges != b->edges)
-    return BIRTH_WAY;
-  return adjoins == NEITHER ? INFINITY : BESIDE_BIRTH_WAY;
-}
-
-/* If a rate is below this part of those at the ends, its sign decides on which side of the sample a
- * root is sought, and it is computed precisely. */
-static const double NEAR_ROOT = 0.01;
-
-static bool is_near_root(const po_sample *a, const po_sample *b, const po_sample *middle) {
-  for (po_event_kind q = PO_OF_APPROACH; q <= PO_OF_LOAD; ++q)
-    if (fabs(middle->rate[q]) < NEAR_ROOT * fmax(fabs(a->rate[q]), fabs(b->rate[q])))
-      return true;
-  return false;
-}
-
-static po_status solve_middle(const po_interval *interval, const po_sample *a, const po_sample *b,
-                              po_sample *middle) {
-  const double at = 0.5 * (a->at + b->at);
-  const po_status status = interval->solve(interval->data, at, true, middle);
-  return !status && is_near_root(a, b, middle) ? interval->solve(interval->data, at, false, middle)
-                                               : status;
-}
-
-/* Collects the events between two samples. Halves the interval while it is too long or extrema are
- * suspected in it. */
+/* Collects the events between two samples. Halves the interval while extrema are suspected in it.
+ */
 static po_status collect(const po_interval *interval, const po_sample *a, const po_sample *b,
-                         unsigned adjoins, int splits, po_events *found) {
-  const bool split = is_suspect(a, b, PO_OF_APPROACH) || is_suspect(a, b, PO_OF_LOAD) ||
-                     b->at - a->at > longest_way(a, b, adjoins);
+                         int splits, po_events *found) {
+  const bool split = is_suspect(a, b, PO_OF_APPROACH) || is_suspect(a, b, PO_OF_LOAD);
   if (!split || splits == MOST_SPLITS)
     return collect_between(interval, a, b, found);
   po_sample middle;
-  const po_status status = solve_middle(interval, a, b, &middle);
-  if (status)
-    return status;
-  const unsigned first = (adjoins & BEGINNING) | (changes_annuli(&middle, b) ? ENDING : NEITHER);
-  const unsigned second = (adjoins & ENDING) | (changes_annuli(a, &middle) ? BEGINNING : NEITHER);
-  const po_status before = collect(interval, a, &middle, first, splits + 1, found);
-  return before ? before : collect(interval, &middle, b, second, splits + 1, found);
+  po_status status = interval->solve(interval->data, 0.5 * (a->at + b->at), true, &middle);
+  if (!status)
+    status = collect(interval, a, &middle, splits + 1, found);
+  return status ? status : collect(interval, &middle, b, splits + 1, found);
 }
 
 typedef struct {
@@ -162,21 +108,6 @@ static double root_on_cubic(const po_interval *interval, po_event_kind of, const
   return 0.5 * (low + high);
 }
 
-/* If the rounding of values between two samples is above this part of their difference by the
- * rates, the cubic tells less than the rates. */
-static const double ROUNDED = 1e-3;
-
-/* Where to solve next: at the root of the cubic between the ends of the bracket, or, if they are so
- * close together that their values are rounded, at the root of the line through their rates. */
-static double next_place(const po_interval *interval, po_event_kind of, const po_sample *low,
-                         const po_sample *high) {
-  const double f_low = event_value(interval, of, low), f_high = event_value(interval, of, high);
-  const double length = high->at - low->at, by_rates = fmax(fabs(f_low), fabs(f_high)) * length;
-  if (of <= PO_OF_LOAD && interval->precision * (1.0 + fabs(low->value[of])) > ROUNDED * by_rates)
-    return low->at + length * f_low / (f_low - f_high);
-  return root_on_cubic(interval, of, low, high);
-}
-
 bool po_special_point_is_close(const po_sample *sample, po_event_kind of, double distance,
                                double precision) {
   return 0.5 * fabs(sample->rate[of] * distance) <= precision * (1.0 + fabs(sample->value[of]));
@@ -190,16 +121,14 @@ static bool is_close(const po_interval *interval, const po_event *ev) {
   return po_special_point_is_close(&ev->here, ev->of, ev->left, interval->precision);
 }
 
-/* Locates an event: repeatedly solves for the equilibrium where next_place expects it; every
- * HALVING-th time, unless the distance has just fallen to a tenth, at the middle of the bracket. If
- * rounding prevents a closer location, the precision of the solutions decides. */
+/* Locates an event: repeatedly solves for the equilibrium at the root of the cubic between the ends
+ * of the bracket. If rounding prevents a closer location, the precision of the solutions decides.
+ */
 static po_status locate(const po_interval *interval, po_event *ev) {
   po_sample low = ev->low, high = ev->high, last = {.at = NAN};
   double f_last = NAN;
-  bool slow = true;
   for (int k = 0; k < MOST_ROOT_STEPS; ++k) {
-    const bool halve = slow && k % HALVING == HALVING - 1;
-    const double at = halve ? 0.5 * (low.at + high.at) : next_place(interval, ev->of, &low, &high);
+    const double at = root_on_cubic(interval, ev->of, &low, &high);
     po_sample s;
     const po_status status = interval->solve(interval->data, at, false, &s);
     if (status)
@@ -216,7 +145,6 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     if (k > 0)
       left = fmin(left, fabs(f * (at - last.at) / (f - f_last)));
     const bool nearer = k < LEAST_ROOT_STEPS || left < 0.5 * ev->left;
-    slow = k == 0 || !(left < 0.1 * ev->left);
     ev->left = left;
     if (left < (ev->of <= PO_OF_LOAD ? PO_LOCATED : ARRIVED) || fabs(high.at - low.at) < PO_LOCATED)
       return PO_OK;
@@ -254,7 +182,7 @@ static int by_root(const void *left, const void *right) {
 po_status po_events_find(const po_interval *interval, const po_sample *from, const po_sample *to,
                          po_events *found) {
   found->count = 0;
-  po_status status = collect(interval, from, to, NEITHER, 0, found);
+  po_status status = collect(interval, from, to, 0, found);
   size_t k = 0;
   for (; k < found->count && !status; ++k)
     status = locate(interval, &found->list[k]);

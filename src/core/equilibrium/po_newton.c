@@ -18,8 +18,6 @@ static const double STAGNATED = 1e-10;
  * stiff scenes is five to ten times the measured one; updates made of it amplify it, so that with
  * 5 the law (4, 10) at mu = 10,000 took three times as many points. */
 static const double STAGNATED_OF_NOISE = 20.0, PRECISION_OF_NOISE = 1.0;
-/* Largest decrease of a gap in one iteration, relative to 1 + H. */
-static const double GREATEST_CLOSING = 0.7;
 /* Changes of a gap, relative to 1 + H, at which an iteration is given up: larger than the error of
  * any prediction; and, after the first iteration, larger than any from which the iteration
  * converges. */
@@ -65,22 +63,6 @@ static double distance_of(const po_equilibrium *e, const double *state, const vo
   for (size_t j = 0; j < e->n; ++j)
     sum += e->border[j] * (state[j] - base[j]);
   return sum;
-}
-
-/* A change below this part of a gap is one of its rounding, which matters if it is more than this,
- * eps. */
-static const double ROUNDING = 2.0 * DBL_EPSILON, LARGE_ROUNDING = 1e-9;
-
-/* Sets changes of the gaps that are not factorised to 0 if they are rounding: far out on a steep
- * profile they exceed all other changes, which Broyden's updates would then not see. */
-static void drop_rounding(const po_equilibrium *e, const double *state, double *change) {
-  const size_t together = e->together;
-  for (size_t b = e->active; b < e->n; ++b) {
-    const size_t j = e->index[b / together] * together + b % together;
-    const double rounding = ROUNDING * fabs(state[j]);
-    if (rounding > LARGE_ROUNDING && fabs(change[j]) < rounding)
-      change[j] = 0.0;
-  }
 }
 
 static double stagnated(const po_equilibrium *e) {
@@ -144,27 +126,19 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   *left =
       fmax(fabs(residual[n]), GREATEST_LEFT / GREATEST_IMBALANCE * imbalance(e, state, residual));
   po_equilibrium_precondition(e, residual, change);
-  drop_rounding(e, state, change);
   po_secant_step(&e->secant, e->last_change < LINEAR && is_clear(e, e->last_change), change);
-  double largest = 0.0, closing = 0.0;
+  double largest = 0.0;
   for (size_t j = 0; j < n; ++j) {
     const double relative = change[j] / po_law_size(law, state[j]);
     if (!(fabs(relative) <= largest))
       largest = fabs(relative);
-    if (-relative > closing)
-      closing = -relative;
   }
   if (!isfinite(largest))
     return NAN;
   if (largest < stagnated(e))
     po_secant_begin(&e->secant);
-  double share = 1.0;
-  if (closing > GREATEST_CLOSING) {
-    share = GREATEST_CLOSING / closing;
-    po_secant_begin(&e->secant);
-  }
   for (size_t j = 0; j <= n; ++j)
-    state[j] += share * change[j];
+    state[j] += change[j];
   return largest;
 }
 
