@@ -79,6 +79,9 @@ static const double OTHER_WEIGHTS = 2.0;
  * 30 are lost. */
 static const double NARROW_EDGE = 1e-2;
 
+/* A contact edge is narrow if the weight that suits it is below this. */
+static const double NARROW = 0.1;
+
 /* The factor of approach and load in the global coordinates, po_equilibrium.share, that suits a
  * contact edge of a radius, eps. An edge is as wide as a traction of w/eps deflects the surface by
  * eps, eps/coupling. If that is little relative to its radius, an error of the gap at the edge
@@ -91,13 +94,24 @@ static double arclength_share(const po_equilibrium *e, double edge) {
   return fmin(1.0, width / (NARROW_EDGE * edge));
 }
 
-/* Lets the arclength functional follow the outermost contact edge. */
+/* Lets the arclength functional follow the outermost contact edge. If there are
+ * several edges and linear systems are solved by GMRES, approach and load keep their weight: then
+ * Newton's method converges from predictions that are less close, and the amount of contact alone
+ * turns back, in a corner that is a millionth of a step wide, wherever the edges of several annuli
+ * move in opposite directions. With that weight, a smooth sphere of mu = 10,000 would take ten
+ * times as many points. */
 static void reweigh(po_continuation *t) {
   po_equilibrium *e = t->c.e;
   const size_t edges = t->current.edges.count;
-  const double share = edges > 0 ? arclength_share(e, t->current.edges.at[edges - 1]) : 1.0;
-  const double factor = share / e->share;
-  if (!on_panels(t) || (factor < OTHER_WEIGHTS && factor > 1.0 / OTHER_WEIGHTS))
+  const double suits = edges > 0 ? arclength_share(e, t->current.edges.at[edges - 1]) : 1.0;
+  const double change = suits / t->edge_share;
+  if (!on_panels(t))
+    return;
+  if (change >= OTHER_WEIGHTS || change <= 1.0 / OTHER_WEIGHTS)
+    t->edge_share = suits;
+  e->narrow = t->edge_share < NARROW;
+  const double share = e->by_krylov && edges > 1 ? 1.0 : t->edge_share, factor = share / e->share;
+  if (share == e->share)
     return;
   e->share = share;
   e->factorized = false; /* their border has the weights before */
@@ -266,6 +280,7 @@ po_status po_continuation_create(po_equilibrium *equilibrium, po_allowance allow
     return PO_NO_MEMORY;
   t->options = *options;
   t->step = FIRST_STEP;
+  t->edge_share = 1.0;
   t->error_factor = NAN;
   const size_t capacity = equilibrium->surface->capacity;
   po_status status = po_corrector_allocate(&t->c, equilibrium, allowed);

@@ -125,7 +125,7 @@ static const double SCALED_TANGENT = 1e-9;
 
 /* Precision of the tangents in a step of this length. */
 static double tangent_precision(const po_continuation *t, double step) {
-  if (po_equilibrium_is_narrow(t->c.e))
+  if (t->c.e->narrow)
     return SCALED_TANGENT;
   double way = 0.0; /* of the contact edges in the step, in their widths */
   for (size_t k = 0; k < t->current.edges.count; ++k)
@@ -135,14 +135,17 @@ static double tangent_precision(const po_continuation *t, double step) {
 
 /* Solves the current point again on the present mesh, if its arclength functional differs there
  * from that on its own mesh by more than a step: no shorter step would converge then. The next step
- * is predicted from this solution alone. Returned: whether that was done. */
+ * is predicted from this solution alone. The present mesh is that of the attempt: where narrow
+ * edges moved by many of their widths it does not resolve the current point, which then stays.
+ * Returned: whether that was done. */
 static bool settle(po_continuation *t, double step) {
   if (!on_panels(t) || !(step > 0.0))
     return false;
   po_corrector_guess(&t->c, &t->current);
   const double place = po_corrector_place_of_guess(&t->c, &t->current);
   if (!(fabs(place) > step) ||
-      po_corrector_solve(&t->c, &t->current, place, false, tangent_precision(t, step), &t->next))
+      po_corrector_solve(&t->c, &t->current, place, false, tangent_precision(t, step), &t->next) ||
+      !po_corrector_is_resolved(&t->c, &t->next))
     return false;
   t->next.position = t->current.position;
   if (po_corrector_want_mesh(&t->c, &t->next))
@@ -216,7 +219,7 @@ static void guess_on_tangent(po_continuation *t, double at) {
 /* Whether the mesh of the last inner point resolves the solution at another place: if the contact
  * edges are narrow, they may not move by more than their width. */
 static bool serves_inner_mesh(const po_continuation *t, double at) {
-  if (!po_equilibrium_is_narrow(t->c.e))
+  if (!t->c.e->narrow)
     return true;
   const double way = fabs(at - t->inner_at) * t->c.e->coupling;
   for (size_t k = 0; k < t->inner.edges.count; ++k)

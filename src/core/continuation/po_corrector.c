@@ -122,18 +122,6 @@ double po_corrector_place_of_guess(po_corrector *c, const po_solution *from) {
  * Jacobian there to be corrected. */
 static const double GAIN_OF_EXAMINATION = 3.0, LEAST_MISS = 0.3;
 
-/* The bordered Jacobian of Eq 15 times a change of the state last evaluated. Given: change, n + 1.
- * Returned: product, n + 1. */
-static void multiply(po_equilibrium *e, const double *change, double *product) {
-  const size_t n = e->n;
-  for (size_t j = 0; j < n; ++j)
-    e->right[j] = e->slope[j] * change[j];
-  po_equilibrium_deflect(e, e->right, product);
-  for (size_t i = 0; i < n; ++i)
-    product[i] = change[i] + change[n] - product[i];
-  product[n] = po_linear_dot(n + 1, e->border, change);
-}
-
 /* Corrects the factors of panels in the direction in which they respond most, by the product of the
  * Jacobian with it, if they are wrong there. Called after po_equilibrium_measure_noise, which finds
  * the direction. Returned: whether they were corrected; noise and gain must then be measured
@@ -151,7 +139,7 @@ static bool correct_weak(po_equilibrium *e) {
   const double length = sqrt(po_linear_dot(n + 1, e->scratch, e->scratch));
   for (size_t j = 0; j <= n; ++j)
     s[j] = e->scratch[j] / length;
-  multiply(e, s, product);
+  po_equilibrium_multiply(e, s, product);
   po_equilibrium_precondition(e, product, z);
   double square = 0.0, along = 0.0;
   for (size_t j = 0; j <= n; ++j) {
@@ -188,15 +176,27 @@ static po_status factorize_at(po_corrector *c, const po_solution *from, const do
   return status;
 }
 
+/* Lets linear systems be solved by GMRES from now on, if that may help: on panels with several
+ * narrow contact edges, as those of an annulus. Returned: whether they were not before. */
+static bool turn_to_krylov(po_equilibrium *e, const po_solution *from) {
+  if (!e->elimination || !e->narrow || e->by_krylov || from->edges.count < 2)
+    return false;
+  e->by_krylov = true;
+  return true;
+}
+
 /* Newton's method from the state in `out`. If it contracts too slowly near a solution, the Jacobian
- * is factorised there, which costs less than a shorter step. */
+ * is factorised there, which costs less than a shorter step. If it then still does, the factors are
+ * too inaccurate. */
 static po_status correct(po_corrector *c, const po_solution *from, double distance,
                          po_solution *out) {
   const place along = {from, c->coordinate};
   const po_constraint constraint = {functional_progress, &along, distance, c->farthest};
   const double greatest = fmin(NEAR, c->farthest);
   po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
-  for (int k = 0; status && k < MOST_RENEWALS && c->e->last_change < greatest; ++k) {
+  for (int k = 0; status && c->e->last_change < greatest &&
+                  (k < MOST_RENEWALS || (status == PO_NOT_CONVERGED && turn_to_krylov(c->e, from)));
+       ++k) {
     if (factorize_at(c, from, out->state))
       return PO_NOT_CONVERGED;
     status = po_equilibrium_correct_to(c->e, out->state, &constraint);
@@ -209,7 +209,7 @@ static po_status find_tangent(po_corrector *c, const po_solution *from, double p
                               po_solution *out) {
   po_equilibrium *e = c->e;
   po_solution_take_state(out, e);
-  if (po_surface_panels(e->surface) && po_equilibrium_is_narrow(e) && out->edges.count > 0)
+  if (po_surface_panels(e->surface) && e->narrow && out->edges.count > 0)
     return po_scaled_tangent(e, from->rate, precision, out);
   const po_status status = po_equilibrium_tangent(e, precision, out->tangent);
   if (!status)
@@ -225,8 +225,11 @@ po_status po_corrector_solve(po_corrector *c, const po_solution *from, double di
     if (fresh && factorize_at(c, from, c->guess))
       return PO_NOT_CONVERGED;
     status = correct(c, from, distance, out);
-    if (!status)
+    if (!status) {
       status = find_tangent(c, from, precision, out);
+      if (status == PO_NOT_CONVERGED && turn_to_krylov(c->e, from))
+        status = find_tangent(c, from, precision, out);
+    }
   }
   if (status)
     return status;

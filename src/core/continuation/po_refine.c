@@ -94,7 +94,7 @@ static void move(po_corrector *c, const po_solution *from, double step, po_solut
   for (size_t j = 0; j <= p->n; ++j)
     p->state[j] += by * p->tangent[j];
   po_equilibrium_evaluate(c->e, p->state);
-  if (po_equilibrium_is_narrow(c->e)) /* the rates hardly change, and would be less precise */
+  if (c->e->narrow) /* the rates hardly change, and would be less precise */
     po_solution_take_state(p, c->e);
   else
     po_solution_finish(p, c->e);

@@ -31,10 +31,19 @@ static double event_value(const po_interval *interval, po_event_kind of, const p
   return s->value[PO_OF_APPROACH] - at;
 }
 
+/* The greatest change of a quantity by the rates at two samples. */
+static double change_by_rates(const po_sample *a, const po_sample *b, po_event_kind q) {
+  return fmax(fabs(a->rate[q]), fabs(b->rate[q])) * (b->at - a->at);
+}
+
 /* Whether two extrema of a quantity are suspected between two samples: the rate of the cubic
- * between them falls far below the end values, or changes its sign twice. */
-static bool is_suspect(const po_sample *a, const po_sample *b, po_event_kind q) {
+ * between them falls far below the end values, or changes its sign twice. If the quantity changes
+ * by less than the error of a solution, the cubic shows that error: where a deep neck hardly
+ * changes the load, each step would be halved MOST_SPLITS times. */
+static bool is_suspect(const po_interval *interval, const po_sample *a, const po_sample *b,
+                       po_event_kind q) {
   return a->rate[q] * b->rate[q] > 0.0 &&
+         change_by_rates(a, b, q) > interval->precision * (1.0 + fabs(a->value[q])) &&
          po_hermite_least_rate(a->value[q], a->rate[q], b->value[q], b->rate[q], b->at - a->at,
                                VERTEX_OUTSIDE) < SUSPECT;
 }
@@ -65,7 +74,8 @@ static po_status collect_between(const po_interval *interval, const po_sample *a
  */
 static po_status collect(const po_interval *interval, const po_sample *a, const po_sample *b,
                          int splits, po_events *found) {
-  const bool split = is_suspect(a, b, PO_OF_APPROACH) || is_suspect(a, b, PO_OF_LOAD);
+  const bool split =
+      is_suspect(interval, a, b, PO_OF_APPROACH) || is_suspect(interval, a, b, PO_OF_LOAD);
   if (!split || splits == MOST_SPLITS)
     return collect_between(interval, a, b, found);
   po_sample middle;

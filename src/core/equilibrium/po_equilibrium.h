@@ -52,6 +52,9 @@ typedef struct {
 /* The largest number of directions in which factors are corrected. */
 enum { PO_MOST_WEAK = 4 };
 
+/* The largest number of iterations of GMRES (po_krylov.h). */
+enum { PO_KRYLOV_DEPTH = 40 };
+
 typedef struct {
   const po_scene *scene;
   po_surface *surface;
@@ -99,6 +102,11 @@ typedef struct {
   int orientation; /* sign of the determinant of the factors, without Broyden's updates */
   po_work work; /* points, iterations, factorisations and meshes; what the surface, a trace and the
                    clock count is 0 */
+  bool narrow;  /* the contact edge is so narrow that approach and load have little weight in the
+                   arclength functional (arclength_share) */
+  bool by_krylov; /* linear systems are solved by GMRES, because the factors are too inaccurate for
+                     a quasi-Newton iteration */
+  double *krylov; /* (n + 1) x (PO_KRYLOV_DEPTH + 1): its basis */
   uint64_t tangent_iterations; /* of solves for a tangent, for tests */
   po_arena arrays;             /* all but the matrices of `factors` */
 } po_equilibrium;
@@ -181,9 +189,9 @@ void po_equilibrium_change_border(po_equilibrium *e, const double *border);
  * Given: residual, n + 1. Returned: change, n + 1. */
 void po_equilibrium_precondition(po_equilibrium *e, const double *residual, double *change);
 
-/* Whether the contact edge is so narrow that the arclength functional is nearly the amount of
- * contact (arclength_share). */
-bool po_equilibrium_is_narrow(const po_equilibrium *e);
+/* The bordered Jacobian of Eq 15 at the state last evaluated times a change. Given: change, n + 1.
+ * Returned: product, n + 1, which may be e->deflection. */
+void po_equilibrium_multiply(po_equilibrium *e, const double *change, double *product);
 
 /* Solves Eq 15 with the condition border . (state - base) = distance by Newton's method with the
  * present factors. Every 1 + H stays positive. Given: state, n + 1, a prediction. Returned: state;

@@ -275,3 +275,13 @@ void po_equilibrium_precondition(po_equilibrium *e, const double *residual, doub
   for (size_t b = m; b < n; ++b)
     change[e->index[b]] = residual[e->index[b]] - change[n];
 }
+
+void po_equilibrium_multiply(po_equilibrium *e, const double *change, double *product) {
+  const size_t n = e->n;
+  for (size_t j = 0; j < n; ++j)
+    e->right[j] = e->slope[j] * change[j];
+  po_equilibrium_deflect(e, e->right, product);
+  for (size_t i = 0; i < n; ++i)
+    product[i] = change[i] + change[n] - product[i];
+  product[n] = po_linear_dot(n + 1, e->border, change);
+}

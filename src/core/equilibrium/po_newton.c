@@ -8,6 +8,7 @@
 #include "po_deadline.h"
 #include "po_elementary.h"
 #include "po_equilibrium.h"
+#include "po_krylov.h"
 #include "po_linear.h"
 
 /* A change, relative to 1 + H, that may be due to rounding, with a wide margin. A smaller change
@@ -39,17 +40,10 @@ static const double GREATEST_LEFT = 0.1;
  * iteration that converges to 1e-6 leaves no more than that times the stiffness, which is below
  * 1e12 where there are equilibria. */
 static const double GREATEST_IMBALANCE = 1e6;
-/* A contact edge is narrow if the arclength functional gives approach and load less than this
- * weight (arclength_share). */
-static const double NARROW = 0.1;
 /* Iterations before the contraction is judged; and for a narrow contact edge, where the compressed
  * factors leave some directions to Broyden's updates, which need the time to find them, in Newton's
  * method and for the tangent. */
 enum { MOST_ITERATIONS = 20, PATIENCE = 3, PATIENCE_AT_NARROW = 8, PATIENCE_OF_TANGENT = 16 };
-
-bool po_equilibrium_is_narrow(const po_equilibrium *e) {
-  return e->share < NARROW;
-}
 
 /* As fmax if a is a number; a call of fmax costs ten times as much. */
 static inline double greater(double a, double b) {
@@ -113,6 +107,19 @@ static double imbalance(const po_equilibrium *e, const double *state, const doub
   return largest;
 }
 
+/* The norm of the residual of a Newton iteration that GMRES leaves, relative to that before. */
+static const double KRYLOV_OF_NEWTON = 1e-5;
+
+/* The change of a state that a residual asks for. Status: those of po_krylov_solve. */
+static po_status solve_change(po_equilibrium *e, const double *state, const double *residual,
+                              double *change) {
+  if (e->by_krylov)
+    return po_krylov_solve(e, residual, KRYLOV_OF_NEWTON, change);
+  po_equilibrium_precondition(e, residual, change);
+  po_secant_step(&e->secant, e->last_change < LINEAR && is_clear(e, e->last_change), change);
+  return PO_OK;
+}
+
 /* One quasi-Newton iteration for Eq 15 and the condition. Returned: the largest change of a gap
  * relative to 1 + H; NaN if it is not finite; left, the error of the condition before, or of Eq 15
  * as far as it is allowed. */
@@ -125,8 +132,8 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
   *left =
       fmax(fabs(residual[n]), GREATEST_LEFT / GREATEST_IMBALANCE * imbalance(e, state, residual));
-  po_equilibrium_precondition(e, residual, change);
-  po_secant_step(&e->secant, e->last_change < LINEAR && is_clear(e, e->last_change), change);
+  if (solve_change(e, state, residual, change))
+    return NAN;
   double largest = 0.0;
   for (size_t j = 0; j < n; ++j) {
     const double relative = change[j] / po_law_size(law, state[j]);
@@ -163,7 +170,7 @@ static void note_change(progress *p, double change) {
 /* Whether the iteration diverges, or converges so slowly that it is given up. */
 static bool is_hopeless(const po_equilibrium *e, int at_narrow, const progress *p,
                         double stagnated) {
-  const int patience = po_equilibrium_is_narrow(e) ? at_narrow : PATIENCE;
+  const int patience = e->narrow ? at_narrow : PATIENCE;
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
          (p->count > patience && p->now > stagnated &&
           p->now > p->first * po_pow(SLOWEST, p->count - 1));
@@ -184,7 +191,7 @@ static const double GREATEST_OF_NOISE = 100.0, GREATEST_AT_NARROW = 1e-7;
 
 /* Whether the last changes show the noise of an iteration, which then replaces the measured one. */
 static bool is_noise(po_equilibrium *e, const progress *p) {
-  const bool narrow = po_equilibrium_is_narrow(e);
+  const bool narrow = e->narrow;
   const double greatest = fmax(p->now, fmax(p->before, p->earlier));
   const double limit = narrow ? GREATEST_AT_NARROW : GREATEST_OF_NOISE * e->noise;
   if (p->count <= (narrow ? PATIENCE_AT_NARROW : PATIENCE) || !(greatest < limit) ||
@@ -265,10 +272,16 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
   return PO_NOT_CONVERGED;
 }
 
+/* The same of a linear system, relative to the precision of its solution: where the factors miss
+ * the Jacobian, the solution errs by more than the residual. */
+static const double KRYLOV_OF_TANGENT = 0.1;
+
 /* Updates that were made of changes near rounding may prevent convergence: without them, the
  * factors alone decide. */
 po_status po_equilibrium_solve(po_equilibrium *e, const double *unit, double precision,
                                double *solution) {
+  if (e->by_krylov)
+    return po_krylov_solve(e, e->source, KRYLOV_OF_TANGENT * precision, solution);
   const po_status status = solve_linear(e, unit, precision, solution);
   if (!status || e->secant.count == 0)
     return status;
