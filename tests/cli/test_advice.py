@@ -20,6 +20,9 @@ ENDS = "--tabor 5 --want hysteresis --stiffness 0.1 --preload"
 STUCK = "--radius 88.0067 --tabor 3.81094 --law mie:19.23,36.08 --outer-radius 36.6711 --want hysteresis --tolerance"
 NOISY = "--tabor 2 --amplitude 1e-3 --wavelength 0.02 --outer-radius 0.2 --preload 0.5 --tolerance"
 TABLE = "--coupling 0.3 --profile-file"
+NARROW = "--tabor 1848.2483440321334 --radius 11058.085022270281 --amplitude 2978.0572289703946 --wavelength 3835.946557649146"
+WIDER = "--tabor 34.33 --radius 205.397 --amplitude 55.3155 --wavelength 71.2502"
+GRASPS = "--preload-load 1.7766593602795224 --tolerance 1e-4"
 
 # The scene that fails, its message, and scenes that follow the advice of the message, or of the table in doc/guide.md.
 ADVICE = (
@@ -42,6 +45,7 @@ ADVICE = (
     (f"{NOISY} 1e-10", "*times the tolerance*: expected a larger tolerance", f"{NOISY} 1e-8"),
     (f"{STUCK} 1e-5", "*with the shortest step*", f"{STUCK} 1e-4", f"{STUCK} 1e-6"),
     ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*", "--tabor 100"),
+    (f"{NARROW} {GRASPS}", f"*edge is 3.5e-07 wavelengths wide, with * times smaller ({WIDER}), which changes loads by 5e-04 only", f"{WIDER} {GRASPS}"),
     ("--tabor 2 --time-limit 1e-9", "*of processor time*", "--tabor 2 --time-limit 600"),
     (f"{TABLE} 30.csv --preload 30", "*expected rows for larger radii, or a smaller preload; *", f"{TABLE} 200.csv --preload 30", f"{TABLE} 30.csv --preload 0"),
 )
