@@ -17,7 +17,6 @@ CUT = "--tabor 0.1 --outer-radius 100 --preload-load"
 FINE = "--tabor 0.2 --radius 1e14 --amplitude 0.1 --preload 0.5 --tolerance 0.01 --wavelength"
 RINGS = "--tabor 2 --amplitude 1 --wavelength 3 --scheme"
 ENDS = "--tabor 5 --want hysteresis --stiffness 0.1 --preload"
-STUCK = "--radius 88.0067 --tabor 3.81094 --law mie:19.23,36.08 --outer-radius 36.6711 --want hysteresis --tolerance"
 NOISY = "--tabor 2 --amplitude 1e-3 --wavelength 0.02 --outer-radius 0.2 --preload 0.5 --tolerance"
 TABLE = "--coupling 0.3 --profile-file"
 NARROW = "--tabor 1848.2483440321334 --radius 11058.085022270281 --amplitude 2978.0572289703946 --wavelength 3835.946557649146"
@@ -43,7 +42,6 @@ ADVICE = (
      "--tabor 5 --preload-load 1 --approach-end 20", "--tabor 5 --preload-load 0.4 --approach-end 12"),
     ("--tabor 5 --preload-load 1 --approach-end -2", "*; expected a greater approach_end; *", "--tabor 5 --preload-load 1 --approach-end 20"),
     (f"{NOISY} 1e-10", "*times the tolerance*: expected a larger tolerance", f"{NOISY} 1e-8"),
-    (f"{STUCK} 1e-5", "*with the shortest step*", f"{STUCK} 1e-4", f"{STUCK} 1e-6"),
     ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*", "--tabor 100"),
     (f"{NARROW} {GRASPS}", f"*edge is 3.5e-07 wavelengths wide, with * times smaller ({WIDER}), which changes loads by 5e-04 only", f"{WIDER} {GRASPS}"),
     ("--tabor 2 --time-limit 1e-9", "*of processor time*", "--tabor 2 --time-limit 600"),
