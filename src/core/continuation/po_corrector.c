@@ -176,10 +176,11 @@ static po_status factorize_at(po_corrector *c, const po_solution *from, const do
   return status;
 }
 
-/* Lets linear systems be solved by GMRES from now on, if that may help: on panels with several
- * narrow contact edges, as those of an annulus. Returned: whether they were not before. */
-static bool turn_to_krylov(po_equilibrium *e, const po_solution *from) {
-  if (!e->elimination || !e->narrow || e->by_krylov || from->edges.count < 2)
+/* Lets linear systems be solved by GMRES from now on, if that may help: on panels with narrow
+ * contact edges of a wavy scene, where an annulus may form. Returned: whether they were not before.
+ */
+static bool turn_to_krylov(po_equilibrium *e) {
+  if (!e->elimination || !e->narrow || e->by_krylov || po_scene_is_simple(e->scene))
     return false;
   e->by_krylov = true;
   return true;
@@ -195,7 +196,7 @@ static po_status correct(po_corrector *c, const po_solution *from, double distan
   const double greatest = fmin(NEAR, c->farthest);
   po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
   for (int k = 0; status && c->e->last_change < greatest &&
-                  (k < MOST_RENEWALS || (status == PO_NOT_CONVERGED && turn_to_krylov(c->e, from)));
+                  (k < MOST_RENEWALS || (status == PO_NOT_CONVERGED && turn_to_krylov(c->e)));
        ++k) {
     if (factorize_at(c, from, out->state))
       return PO_NOT_CONVERGED;
@@ -227,7 +228,7 @@ po_status po_corrector_solve(po_corrector *c, const po_solution *from, double di
     status = correct(c, from, distance, out);
     if (!status) {
       status = find_tangent(c, from, precision, out);
-      if (status == PO_NOT_CONVERGED && turn_to_krylov(c->e, from))
+      if (status == PO_NOT_CONVERGED && turn_to_krylov(c->e))
         status = find_tangent(c, from, precision, out);
     }
   }
