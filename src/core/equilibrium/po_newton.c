@@ -110,9 +110,8 @@ static double imbalance(const po_equilibrium *e, const double *state, const doub
 /* The norm of the residual of a Newton iteration that GMRES leaves, relative to that before. */
 static const double KRYLOV_OF_NEWTON = 1e-5;
 
-/* The change of a state that a residual asks for. Status: those of po_krylov_solve. */
-static po_status solve_change(po_equilibrium *e, const double *state, const double *residual,
-                              double *change) {
+/* The change that a residual asks for. Status: those of po_krylov_solve. */
+static po_status solve_change(po_equilibrium *e, const double *residual, double *change) {
   if (e->by_krylov)
     return po_krylov_solve(e, residual, KRYLOV_OF_NEWTON, change);
   po_equilibrium_precondition(e, residual, change);
@@ -132,7 +131,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
   *left =
       fmax(fabs(residual[n]), GREATEST_LEFT / GREATEST_IMBALANCE * imbalance(e, state, residual));
-  if (solve_change(e, state, residual, change))
+  if (solve_change(e, residual, change))
     return NAN;
   double largest = 0.0;
   for (size_t j = 0; j < n; ++j) {
