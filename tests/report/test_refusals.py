@@ -1,18 +1,32 @@
 """What the report cannot use is refused in one line that names it, with exit code 4 (2: usage)."""
 
-import json
+import contextlib
+import gc
+import io
 import os
-import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.join(HERE, "..", "..", "reports"))
 
+import make_report  # noqa: E402
 import synthetic  # noqa: E402
 
-SCRIPT = os.path.join(HERE, "..", "..", "reports", "make_report.py")
+
+def main(words):
+    """Exit code, standard output and standard error of make_report.py, in this process."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            code = make_report.main(words)
+        except SystemExit as ended:  # by argparse
+            code = ended.code
+    gc.enable()
+    return code, out.getvalue(), err.getvalue()
 
 
 class Refusals(unittest.TestCase):
@@ -30,18 +44,14 @@ class Refusals(unittest.TestCase):
         """Runs the report; it must fail with one line that holds all the wanted words."""
         words = words or ["--run", self.run_folder, "--output", self.output,
                           "--reference", os.path.join(self.folder, "reference")]
-        surroundings = dict(os.environ)
-        if path is not None:
-            surroundings["PATH"] = path
-        done = subprocess.run([sys.executable, SCRIPT, *words], capture_output=True, text=True,
-                              env=surroundings, check=False)
-        self.assertEqual(done.returncode, code, done.stderr)
-        self.assertEqual(done.stdout, "")
+        with mock.patch.dict(os.environ, {"PATH": os.environ["PATH"] if path is None else path}):
+            ended, printed, said = main(words)
+        self.assertEqual((ended, printed), (code, ""), said)
         for word in wanted:
-            self.assertIn(word, done.stderr)
+            self.assertIn(word, said)
         if code == 4:
-            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-            self.assertTrue(done.stderr.startswith("pulloff report: "))
+            self.assertEqual(said.count("\n"), 1, said)
+            self.assertTrue(said.startswith("pulloff report: "))
         if os.path.isdir(self.output):
             self.assertEqual(os.listdir(self.output), [])
 
