@@ -2,9 +2,9 @@
 
 Usage: bits.py [--variants] [--emulator COMMAND] [--accept] NAME=PROGRAM...
 
-Each program computes all scenes. --variants: each also with every set of kernels that OpenBLAS has for a processor like
-this one, and with the functions that the C library has for processors without AVX2 and FMA. --emulator: COMMAND runs
-the programs. --accept: writes the digests of the first program to scenes.txt. Exit status: 0 all digests are those of
+Each program computes all scenes. --variants: each again with the oldest kernels of OpenBLAS and the functions that the C
+library has for processors without AVX2 and FMA; and the scenes with condition numbers, for which alone OpenBLAS is called
+(symbols.py), with every set of kernels that OpenBLAS has for a processor like this one. --emulator: COMMAND runs the programs. --accept: writes the digests of the first program to scenes.txt. Exit status: 0 all digests are those of
 scenes.txt, 1 some are not. Prints a line for each way: who computed, how many scenes, how many differ, seconds.
 """
 
@@ -28,12 +28,14 @@ OLD_PROCESSOR = "glibc.cpu.hwcaps=" + ",".join("-" + name for name in (
 
 
 def environments():
-    """Name and variables of each way of a program."""
-    ways = {"": {}}
-    flags = set(re.findall(r"\w+", pathlib.Path("/proc/cpuinfo").read_text()))
+    """Name and variables of each way of a program, and a word of the scenes that are computed so."""
+    ways = {"": ({}, "")}
     if platform.machine() == "x86_64":
-        ways |= {f"kernels {name}": {"OPENBLAS_CORETYPE": name} for name, flag in KERNELS.items() if flag in flags}
-        ways["C library without AVX2 and FMA"] = {"GLIBC_TUNABLES": OLD_PROCESSOR}
+        flags = set(re.findall(r"\w+", pathlib.Path("/proc/cpuinfo").read_text()))
+        oldest, *others = (name for name, flag in KERNELS.items() if flag in flags)
+        ways[f"kernels {oldest}, C library without AVX2 and FMA"] = (
+            {"OPENBLAS_CORETYPE": oldest, "GLIBC_TUNABLES": OLD_PROCESSOR}, "")
+        ways |= {f"kernels {name}": ({"OPENBLAS_CORETYPE": name}, "diagnostics") for name in others}
     return ways
 
 
@@ -58,14 +60,14 @@ def main():
     parser.add_argument("--accept", action="store_true")
     parser.add_argument("programs", nargs="+", metavar="NAME=PROGRAM")
     chosen = parser.parse_args()
-    scenes = read_scenes()
-    ways = environments() if chosen.variants else {"": {}}
+    ways = environments() if chosen.variants else {"": ({}, "")}
     failed = False
     print(f"{'computed by':50} {'scenes':>7} {'differ':>7} {'seconds':>8}")
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         for name, program in (text.split("=", 1) for text in chosen.programs):
             command = [*shlex.split(chosen.emulator), program]
-            for way, variables in ways.items():
+            for way, (variables, word) in ways.items():
+                scenes = [scene for scene in read_scenes() if word in scene[1]]
                 begin = time.monotonic()
                 digests = list(pool.map(lambda scene: digest_of(command, scene[1], variables), scenes))
                 if chosen.accept:
