@@ -21,11 +21,19 @@ PROGRESS = re.compile(r"^\d+/\d+ [a-z]*, .* elapsed.*\n", re.MULTILINE)  # a slo
 
 def pytest_addoption(parser):
     parser.addoption("--program", required=True, help="the program pulloff")
+    parser.addoption("--few", action="store_true", help="of each test only the first of its parameters: for a build in which tests "
+                     "are slow, and in which only the lines count that are run")
 
 
 def pytest_configure(config):
     global PROGRAM
     PROGRAM = os.path.abspath(config.getoption("--program"))
+
+
+def pytest_collection_modifyitems(config, items):
+    if config.getoption("--few"):
+        seen = set()
+        items[:] = [item for item in items if item.originalname not in seen and not seen.add(item.originalname)]
 
 
 @dataclasses.dataclass
