@@ -1,8 +1,5 @@
 """What the report cannot use is refused in one line that names it, with exit code 4 (2: usage)."""
 
-import contextlib
-import gc
-import io
 import os
 import sys
 import tempfile
@@ -11,22 +8,9 @@ from unittest import mock
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
-sys.path.insert(0, os.path.join(HERE, "..", "..", "reports"))
 
-import make_report  # noqa: E402
+import quickly  # noqa: E402
 import synthetic  # noqa: E402
-
-
-def main(words):
-    """Exit code, standard output and standard error of make_report.py, in this process."""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        try:
-            code = make_report.main(words)
-        except SystemExit as ended:  # by argparse
-            code = ended.code
-    gc.enable()
-    return code, out.getvalue(), err.getvalue()
 
 
 class Refusals(unittest.TestCase):
@@ -45,7 +29,7 @@ class Refusals(unittest.TestCase):
         words = words or ["--run", self.run_folder, "--output", self.output,
                           "--reference", os.path.join(self.folder, "reference")]
         with mock.patch.dict(os.environ, {"PATH": os.environ["PATH"] if path is None else path}):
-            ended, printed, said = main(words)
+            ended, printed, said = quickly.main(words)
         self.assertEqual((ended, printed), (code, ""), said)
         for word in wanted:
             self.assertIn(word, said)

@@ -16,8 +16,8 @@ from html import unescape
 HERE = os.path.dirname(os.path.abspath(__file__))
 REPORTS = os.path.join(HERE, "..", "..", "reports")
 sys.path.insert(0, HERE)
-sys.path.insert(0, REPORTS)
 
+import quickly  # noqa: E402
 import synthetic  # noqa: E402
 from pulloff_report import errors, faults, page, plots, records, references, tree_tests  # noqa: E402
 
@@ -143,7 +143,9 @@ class Whole(PageTest):
         beside = tempfile.mkdtemp(dir=self.folder)
         with open(os.path.join(beside, "live.html"), "w", encoding="utf-8") as stream:
             stream.write('<script id="records">' + base64.b64encode(gzip.compress(b'{"fig03": {}}')).decode() + "</script>")
-        self.assertEqual(self.make("--output", beside).returncode, 0)
+        quickly.prepare(self)
+        self.assertEqual(quickly.html_only(self, "--run", os.path.join(self.folder, "run"), "--output", beside,
+                                           "--reference", os.path.join(self.folder, "reference")), (0, ""))
         with open(os.path.join(beside, "report.html"), encoding="utf-8") as stream:
             linked = page.unpacked(stream.read())
         run = records.Run(os.path.join(self.folder, "run"))
@@ -214,6 +216,11 @@ class Whole(PageTest):
 class Parts(PageTest):
     """Pages of runs that lack something: what is absent is said, what is there is shown."""
 
+    @classmethod
+    def setUpClass(cls):
+        quickly.prepare(cls)
+        quickly.draw_no_times(cls)
+
     def test_a_missing_case_leaves_a_sentence(self):
         with made_up(synthetic.make_fig04) as folder:
             text = plain(page_of(folder))
@@ -229,9 +236,7 @@ class Parts(PageTest):
             text = plain(page_of(folder))
             synthetic.make_faults(folder)
             output = os.path.join(folder, "report")
-            done = subprocess.run([sys.executable, os.path.join(REPORTS, "make_report.py"), "--run", os.path.join(folder, "run"),
-                                   "--output", output], capture_output=True, text=True, check=False)
-            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(quickly.html_only(self, "--run", os.path.join(folder, "run"), "--output", output), (0, ""))
             with open(os.path.join(output, "report.html"), encoding="utf-8") as stream:
                 written = plain(stream.read())
         for found in (text, written):
