@@ -298,13 +298,13 @@ TABLES = [
           integral_row,
           header("load against approach of the rigid wavy sphere, Eq 22", "both routes for every row",
                  "1e-16 relative"),
-          limit="1e-16", tolerance="1e-16", stride=5),
+          limit="1e-16", tolerance="1e-16", stride=29),
     Table("rigid_curves.csv", ["alpha", "amplitude", "index", "approach", "load"],
           curve_points(), curve_row,
           header("load against approach of the rigid wavy sphere, Eq 22: curves of Figure 6, points in "
                  f"order from approach {1 - FAR_DISTANCE} to a load of {LAST_LOAD}",
                  "both routes for every row", "1e-16"),
-          limit="1e-16", tolerance="1e-16", absolute="1e-17", stride=97),
+          limit="1e-16", tolerance="1e-16", absolute="1e-17", stride=331),
     Table("rigid_pull_off.csv", ["alpha", "amplitude", "force", "approach"],
           [(pair, False) for pair in PLAIN]
           + [((alpha, amplitude), True) for amplitude in AMPLITUDES for alpha in ALPHAS],
@@ -314,7 +314,7 @@ TABLES = [
                  "minimum of a scan of 1 - approach from 0.08 to 1.21 (above 3^(1/6) every tension falls "
                  "with the gap)",
                  "1e-16 relative of force; 1e-16 absolute of approach"),
-          limit="1e-16", tolerance="1e-16", absolute="1e-16", stride=22, checks=known),
+          limit="1e-16", tolerance="1e-16", absolute="1e-16", stride=51, checks=known),
     Table("rigid_limit.csv", ["amplitude", "wavelength", "radius", "force", "approach"], LIMITS, limit_row,
           {key: value for key, value in header(
               "pull-off of the rigid wavy sphere, Eq 22, that the elastic one tends to as the Tabor "

@@ -25,7 +25,7 @@ import self_test
 
 TABORS = ("0.01 0.015 0.02 0.03 0.05 0.07 0.1 0.15 0.2 0.3 0.4 0.5 0.6 0.7 0.8 1 1.25 1.5 "
           "1.75 2 2.5 3 3.5 4 5 10").split()
-SAMPLE = ("0.3", "1", "3")
+SAMPLE = ("1",)
 CURVES = {"0.01": -8.0, "1": -12.0, "2": -12.0, "3": -12.0, "5": -12.0}     # tabor: first approach
 CURVE_END = 3.0           # load of the last point of a curve
 FAR = -12.0               # approach from which special points are searched for

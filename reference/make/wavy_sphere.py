@@ -84,7 +84,7 @@ SCENES = [
     Scene("5", "10", "20", "100", "100", 12.0, 22.0),
 ]
 CURVES = [("3", "1", "20", "100", "100")]
-SAMPLE = [("3", "0", "20", "100", "100"), ("1", "1", "20", "100", "100")]
+SAMPLE = [("1", "1", "20", "100", "100")]
 
 KEYS = "tabor amplitude wavelength radius outer_radius".split()
 PULL_OFF, LANDMARKS, CURVE = "wavy_pull_off.csv", "wavy_landmarks.csv", "wavy_curves.csv"

@@ -165,8 +165,8 @@ static int try_first(void) {
 int main(void) {
   int faults = try_first();
   faults += try_all("scene", use_scene, 1000);
-  faults += try_all("solve", use_solve, 60);
-  faults += try_all("rigid", use_rigid, 60);
-  faults += try_all("series", use_series, 30);
+  faults += try_all("solve", use_solve, 24);
+  faults += try_all("rigid", use_rigid, 24);
+  faults += try_all("series", use_series, 12);
   return faults != 0;
 }
