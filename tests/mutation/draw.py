@@ -27,7 +27,7 @@ def candidates(root):
             with open(path, encoding="utf-8") as stream:
                 found += tokens.edits_of(os.path.relpath(path, root), stream.read(), statuses)
         if found:
-            modules[os.path.basename(folder)] = found
+            modules[os.path.relpath(folder, root)] = found
     return modules
 
 

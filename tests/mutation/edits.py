@@ -35,7 +35,7 @@ KEY = ("file", "function", "line", "becomes", "nth")
 ENOUGH = 95  # per cent of the edits that are not equivalent
 
 # The initial order of the tests assumes that each test was run PRIOR times and caught one edit, or PRIOR_OWN edits of
-# the module that it belongs to.
+# the library that it is a test of.
 PRIOR, PRIOR_OWN = 10, 6
 
 # Exit status of a test that lacks a package, see tests/cli/adapters.sh: it passes, and catches nothing.
@@ -172,7 +172,7 @@ class Tests:
             programs = {self.program_of(word) for word in test["cmd"]} - {None}
             if suite & set(suites) and programs:
                 name = f"{sorted(suite & set(suites))[0]}/{test['name']}"
-                self.tests[name] = dict(test, programs=programs, modules={self.build.module_of(name) for name in programs})
+                self.tests[name] = dict(test, programs=programs, targets={self.build.tested_by(name) for name in programs})
 
     def program_of(self, word):
         """The name of the program of the build that a word of a command refers to; None if there is none."""
@@ -209,7 +209,7 @@ class Tests:
 
 def expected_cost(seconds, tried, caught, own=False):
     """Expected processor time of a test for each edit that it catches. It determines the order of the tests. `own`: the
-    test belongs to the module of the edit."""
+    test is one of the library that the edit is in."""
     return (seconds + LINK) * (tried + PRIOR) / (caught + (PRIOR_OWN if own else 1))
 
 
@@ -332,7 +332,8 @@ class Campaign:
 
     def order(self, edit, last):
         """The tests for an edit: first the one that caught it last time, then by the expected cost of a caught edit."""
-        tried, caught, module = collections.Counter(), collections.Counter(), edit.file.split("/")[1]
+        tried, caught, module = collections.Counter(), collections.Counter(), os.path.dirname(edit.file)
+        target = self.tested.target_of(edit.file)
         with self.lock:
             for row in self.history:
                 if row["module"] == module:
@@ -341,11 +342,11 @@ class Campaign:
                     caught[row["caught_by"]] += 1
         return sorted(self.asked, key=lambda name: (
             name != last, expected_cost(self.baseline[name], tried[name], caught[name],
-                                        module in self.tests.tests[name]["modules"]), name))
+                                        target in self.tests.tests[name]["targets"]), name))
 
     def try_edit(self, edit, kept):
         """Runs the tests with an edit until one fails, except those that it passed before. Returns its row."""
-        row = {"name": edit.name, "digest": self.digest, "module": edit.file.split("/")[1], "kind": edit.kind,
+        row = {"name": edit.name, "digest": self.digest, "module": os.path.dirname(edit.file), "kind": edit.kind,
                "caught_by": None, "by": None, "passed": [], "seconds": 0.0}
         if kept.get("digest") == self.digest and not self.wanted.fresh:
             row.update(passed=kept["passed"], seconds=kept["seconds"])

@@ -73,11 +73,14 @@ class Build:
             self.links[program] = shlex.split(said.stdout.splitlines()[-1])
         return self.links[program]
 
-    def module_of(self, program):
-        """The module of a program: that of the first library that it is linked with, or its own folder."""
+    def target_of(self, file):
+        """The library or program that a source is compiled for."""
+        return os.path.dirname(self.compile[os.path.join(self.source, file)]["output"]).removesuffix(".p")
+
+    def tested_by(self, program):
+        """The library that a program tests: the first one of src that it is linked with; a program of src tests itself."""
         libraries = [word for word in self.link_command(program) if word.endswith(".a") and word.startswith("src/")]
-        own = os.path.basename(os.path.dirname(program))
-        return own if program.startswith("src/") or not libraries else os.path.basename(os.path.dirname(libraries[0]))
+        return program if program.startswith("src/") or not libraries else libraries[0]
 
     def objects_of(self, fault, place):
         """Compiles the edited source, or all that include the edited header, into `place`. Returns pairs of a new object

@@ -134,7 +134,7 @@ class Draw(unittest.TestCase):
 
     def test_no_module_and_no_kind_is_left_out(self):
         drawn = self.drawn(3, 150)
-        modules = collections.Counter(edit.file.split("/")[-2] for edit in drawn)
+        modules = collections.Counter(os.path.dirname(edit.file) for edit in drawn)
         self.assertEqual(set(modules), set(self.modules))
         self.assertGreaterEqual(min(modules.values()), 2)
         self.assertLess(max(modules.values()), 150 // 2)
