@@ -1,8 +1,7 @@
 #!/usr/bin/python3
-"""Makes a notebook of a script that consists of cells, and runs the cells of a notebook.
+"""Makes a notebook of a script that consists of cells.
 
     notebook.py SCRIPT.py            writes SCRIPT.ipynb beside it, without output
-    notebook.py --run NOTEBOOK       executes its code cells one after the other, as Jupyter would
 
 A cell begins with a line `# %% heading`; the lines of a cell `# %% [markdown]` are text behind "# "."""
 
@@ -27,12 +26,6 @@ def notebook_of(script):
 
 
 def main():
-    if sys.argv[1] == "--run":
-        space = {"__name__": "__main__"}
-        for cell in json.loads(pathlib.Path(sys.argv[2]).read_text(encoding="utf-8"))["cells"]:
-            if cell["cell_type"] == "code":
-                exec(compile("".join(cell["source"]), f"{sys.argv[2]}, {cell['id']}", "exec"), space)
-        return
     script = pathlib.Path(sys.argv[1])
     script.with_suffix(".ipynb").write_text(notebook_of(script.read_text(encoding="utf-8")), encoding="utf-8")
 

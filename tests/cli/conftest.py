@@ -21,8 +21,8 @@ PROGRESS = re.compile(r"^\d+/\d+ [a-z]*, .* elapsed.*\n", re.MULTILINE)  # a slo
 
 def pytest_addoption(parser):
     parser.addoption("--program", required=True, help="the program pulloff")
-    parser.addoption("--few", action="store_true", help="of each test only the first of its parameters: for a build in which tests "
-                     "are slow, and in which only the lines count that are run")
+    parser.addoption("--few", action="store_true", help="of each test only the first of its parameters, and all messages: for a build "
+                     "in which tests are slow, and in which only the lines count that are run")
 
 
 def pytest_configure(config):
@@ -32,8 +32,8 @@ def pytest_configure(config):
 
 def pytest_collection_modifyitems(config, items):
     if config.getoption("--few"):
-        seen = set()
-        items[:] = [item for item in items if item.originalname not in seen and not seen.add(item.originalname)]
+        first = {}
+        items[:] = [item for item in items if first.setdefault(item.originalname, item) is item or "message" in item.callspec.params]
 
 
 @dataclasses.dataclass
