@@ -3,8 +3,8 @@
 
     manual.py PROGRAM ROOT FOLDER-OF-PAGES
 
-The options that are tried are all names in any help, and those of lengths with -m. An option is accepted if the program does not
-call it unknown. An unknown option follows twice, once as a value, so that nothing is ever computed.
+The options that are tried are all names in any help, and those of lengths with -m if the help names these. An option is accepted if
+the program does not call it unknown. An unknown option follows twice, once as a value, so that nothing is ever computed.
 """
 
 import pathlib
@@ -72,10 +72,11 @@ def zsh_values(root, program, verb, option):
 def check_verb(program, root, pages, verb, helps):
     mine = entries(helps[verb])
     every = set().union(*(entries(text) for text in helps.values()))
-    lengths = {option + "-m" for option in every if not option.endswith("-m")}
+    in_metres = METRES in " ".join(helps[verb].split())
+    lengths = {option + "-m" for option in every if not option.endswith("-m")} if in_metres or verb == "plot" else set()
     accepted = {option for option in every | lengths if is_accepted(program, verb, option)}
     documented = mine | REFUSED.get(verb, set())
-    if METRES in " ".join(helps[verb].split()):
+    if in_metres:
         documented |= {option for option in accepted & lengths if option[:-2] in mine}
     if verb == "plot":  # its help refers to that of solve
         tell("plot refers to the options of solve", "those of pulloff solve" not in helps[verb])
