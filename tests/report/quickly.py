@@ -50,9 +50,9 @@ def replace(owner, module, name, replacement):
 
 
 def prepare(owner):
-    """For a test, or the tests of a class: no second process, no typefaces, no drawing by gnuplot twice."""
+    """For a test, or the tests of a class: no second process, no typefaces, no drawing twice."""
     for module, name, replacement in ((page.beside, "start", Now), (fonts, "font_faces", lambda text: ""),
-                                      (gnuplot, "draw", remembered(gnuplot.draw)),
+                                      (gnuplot, "draw", remembered(gnuplot.draw)), (svg, "embeddable", remembered(svg.embeddable)),
                                       (page, "environment", functools.lru_cache(page.environment))):
         replace(owner, module, name, replacement)
 
