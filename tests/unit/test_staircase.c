@@ -248,7 +248,7 @@ START_TEST(a_search_does_not_change_the_pull_off) {
   ck_assert(o.pull_off_any.is_known && !o.pull_off_any.complete);
   ck_assert_int_eq(o.ended.cause, _i ? PO_END_SEARCHED : PO_END_PRELOAD);
   if (_i == 0)
-    ck_assert_double_lt(o.ended.load, 1.5);
+    ck_assert_double_lt(o.ended.load, 2.0); /* about a step beyond the preload */
   if (_i == 2) {
     ck_assert_double_gt(o.ended.load, 100.0);
     ck_assert_double_eq_tol(o.pull_off_any.force, 14.40819, 1e-5);

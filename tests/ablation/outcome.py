@@ -9,8 +9,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "estimates"))
 import compare                                          # noqa: E402  pylint: disable=wrong-import-position
 
-COUNTERS = ("newton_iterations", "factorizations", "kernel_evaluations")
-KERNEL_FLOPS = 60           # of one arithmetic-geometric mean: five steps with a square root
+COUNTERS = ("points", "newton_iterations", "factorizations", "kernel_evaluations")
 
 
 def is_solved(document):
@@ -24,19 +23,10 @@ def works(document):
     return [point["work"] for point in document.get("points", [document]) if "work" in point]
 
 
-def flops(work):
-    """About: products with the influence matrix, factorisations in single precision (half price), kernels."""
-    n, m = work["nodes"], work["factorized_nodes"]
-    return (2.0 * work["newton_iterations"] * (n * n + m * m) + work["factorizations"] * m**3 / 3.0
-            + KERNEL_FLOPS * work["kernel_evaluations"])
-
-
 def cost(documents):
     """name -> sum over the documents."""
     found = [work for document in documents for work in works(document)]
-    sums = {key: sum(work[key] for work in found) for key in COUNTERS}
-    sums["work"] = sum(flops(work) for work in found)
-    return sums
+    return {key: sum(work[key] for work in found) for key in COUNTERS}
 
 
 # Keys of a document whose numbers are no results, or depend on where the steps of a trace are.
