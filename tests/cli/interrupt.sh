@@ -81,7 +81,7 @@ check 'exit code 130 after SIGINT during closed forms' test $? -eq 130
 check 'the closed forms are not completed' test ! -e lines/drawn/line-along.csv
 check 'there is no record' test ! -e lines/drawn/record.json
 write_lines 2
-expect 0 'drawn: 1 point, 0 checks: within (1 point kept)' run drawn --output lines
+expect 0 'drawn: 1 point, 0 checks: within (kept)' run drawn --output lines
 check 'the next run writes the record' test -s lines/drawn/record.json
 rm "$PULLOFF_DATA/cases/drawn.yaml"
 

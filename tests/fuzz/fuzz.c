@@ -197,31 +197,6 @@ fuzz_part fuzz_fill(const fuzz_part *part, const fuzz_token *tokens, size_t coun
   return (fuzz_part){text.data, text.length};
 }
 
-void fuzz_table_digest(const char *path, char digest[PO_DIGEST_LENGTH]) {
-  po_csv csv;
-  digest[0] = '\0';
-  const po_status status = po_csv_read(path, "table.csv", &csv);
-  fuzz_require_message(status);
-  if (status)
-    return;
-  memcpy(digest, csv.digest, PO_DIGEST_LENGTH);
-  po_csv_clear(&csv);
-}
-
-void fuzz_write_tables(const char *folder, const fuzz_part *parts, size_t count,
-                       fuzz_digests digests) {
-  static const char *const TABLES[] = {"curve-0.csv", "profile-0.csv"};
-  for (size_t i = 0; i < 2; ++i) {
-    char name[64];
-    digests[i][0] = '\0';
-    if (i + 1 >= count)
-      continue;
-    snprintf(name, sizeof name, "%s/%s", folder, TABLES[i]);
-    fuzz_write(fuzz_path(name), parts[i + 1].bytes, parts[i + 1].size);
-    fuzz_table_digest(fuzz_path(name), digests[i]);
-  }
-}
-
 po_case_run *fuzz_run(const char *name) {
   char path[PATH_MAX], shown[64];
   po_case *kase = NULL;
@@ -244,15 +219,15 @@ void fuzz_run_reset(po_case_run *run) {
     po_result_clear(&run->points[i].result);
     po_result_clear(&run->points[i].trace);
     run->points[i].done = false;
+    run->points[i].checksum[0] = '\0';
   }
   po_check_results_clear(&run->check_results);
   po_check_results_clear(&run->measured);
   json_decref(run->environment);
   run->environment = NULL;
   run->kept = run->finished = false;
-  run->damaged = false;
+  run->damaged = run->current = run->untidy = false;
   run->resumed = run->altered = 0;
-  run->old_key[0] = '\0';
   po_case_run_ask(run, &(po_point_range){0, count}, 1);
 }
 

@@ -51,15 +51,6 @@ typedef struct {
 } fuzz_token;
 fuzz_part fuzz_fill(const fuzz_part *part, const fuzz_token *tokens, size_t count);
 
-/* The checksum of a table as a record states it; "" if the text is no table. */
-void fuzz_table_digest(const char *path, char digest[PO_DIGEST_LENGTH]);
-
-/* Writes the second and third part of an input as the curve and the profile of point 0 into a
- * folder of the scratch folder, and returns their checksums. */
-typedef char fuzz_digests[2][PO_DIGEST_LENGTH];
-void fuzz_write_tables(const char *folder, const fuzz_part *parts, size_t count,
-                       fuzz_digests digests);
-
 /* The plan of a case of tests/fuzz/data/cases. It exists until the end of the process. */
 po_case_run *fuzz_run(const char *name);
 

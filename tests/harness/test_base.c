@@ -342,38 +342,6 @@ END_TEST
 
 #define COUNT(table) (int)(sizeof(table) / sizeof *(table))
 
-/* A column of a curve is the number of unstable modes. Regression: 0.5 was read as 0, and a
- * number beyond the range of int as an arbitrary one. */
-static const struct {
-  const char *modes;
-  po_status expected;
-} MODES[] = {{"0", PO_OK},
-             {"3", PO_OK},
-             {"0.5", PO_CANNOT_READ},
-             {"-1", PO_CANNOT_READ},
-             {"1e300", PO_CANNOT_READ}};
-
-START_TEST(curve_table_has_whole_numbers_of_modes) {
-  po_text text = {0};
-  po_csv csv;
-  po_result result = {0};
-  po_text_add(&text,
-              "position,approach,load,energy,contact_radius,approach_rate,load_rate,"
-              "unstable_modes,energy_error\n0,1,2.385,4,5,6,7,%s,1e-9\n",
-              MODES[_i].modes);
-  ck_assert_int_eq(po_file_write(path, text.data, text.length), PO_OK);
-  ck_assert_int_eq(po_csv_read(path, path, &csv), PO_OK);
-  ck_assert_int_eq(po_tables_read(PO_CURVE_TABLE, path, csv.digest, &result), MODES[_i].expected);
-  if (MODES[_i].expected == PO_OK) {
-    ck_assert_double_eq(result.curve[0].load, 2.385);
-    ck_assert_int_eq(result.curve[0].unstable_modes, atoi(MODES[_i].modes));
-  }
-  po_csv_clear(&csv);
-  po_text_clear(&text);
-  po_result_clear(&result);
-}
-END_TEST
-
 START_TEST(the_place_of_a_number_among_others) {
   static const double NUMBERS[] = {0.0, 1.0, 1.0, 2.5}, AT[] = {-1, 0, 0.5, 1, 2.4, 2.5, 9};
   static const size_t EXPECTED[] = {0, 0, 0, 2, 2, 3, 3};
@@ -402,8 +370,6 @@ static void add(TCase *tests) {
   tcase_add_test(tests, csv_quoted_cells_contain_commas_and_quotes);
   tcase_add_loop_test(tests, csv_refuses_damage, 0, COUNT(DAMAGED));
   tcase_add_test(tests, csv_rows_read_back_exactly);
-  tcase_add_loop_test(tests, curve_table_has_whole_numbers_of_modes, 0,
-                      (int)(sizeof MODES / sizeof *MODES));
 }
 
 int main(void) {

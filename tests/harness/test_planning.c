@@ -110,7 +110,7 @@ static const struct {
 };
 enum { FAMILY_COUNT = sizeof FAMILIES / sizeof *FAMILIES };
 
-/* The points of a case as its record and its journal hold them. */
+/* The points of a case as its record holds them. */
 static void describe(po_plan *plan) {
   po_case_run run;
   ck_assert_int_eq(po_case_run_create(plan, &run), PO_OK);

@@ -70,7 +70,7 @@ po_status po_session_take_shard(const char *name, void *to) {
   snprintf(number, sizeof number, "%.*s", (int)(length < 31 ? length : 31), optarg);
   if (!optarg[length] || !po_number_parse_count(number, &shard->number) ||
       !po_number_parse_count(optarg + length + 1, &shard->count) || shard->number < 1 ||
-      shard->number > shard->count || shard->count > PO_MOST_SHARDS)
+      shard->number > shard->count)
     return po_options_refuse(name, optarg, "K/N, the K-th of N shards, such as 1/4");
   return PO_OK;
 }

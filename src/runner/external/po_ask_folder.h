@@ -6,7 +6,7 @@
 
 typedef struct {
   po_file_path path, request, table, response; /* absolute */
-  int lock; /* the file of the key, locked while this program lives; -1: none */
+  int lock; /* the folder, locked while this program lives; -1: not locked */
 } po_ask_folder;
 
 /* Creates an empty folder. Given: `parent`, which is created if it does not exist; `key`, see

@@ -36,22 +36,25 @@ typedef struct {
   bool done;        /* its result is known */
   bool beyond;      /* the manifest of an external solver excludes the point */
   bool interleaved; /* this program was timed in the same rounds as an external solver */
+  size_t shard;     /* number of the shard to which it belongs, from 1; 0: none */
+  char checksum[PO_DIGEST_LENGTH]; /* of its line in the store; "": it has none */
 } po_point_run;
 
 typedef struct {
   po_plan *plan;
-  po_file_path folder; /* of its records and its journal; "": see po_case_run_place */
+  po_file_path folder; /* of its records and its store; "": see po_case_run_place */
   po_point_run *points;
   po_round *rounds; /* of all points */
   size_t asked_count;
   size_t pending; /* number of requested points that are not solved yet */
   size_t at_work; /* number of jobs that threads do at present (po_job.h) */
-  size_t resumed; /* number of points that were read from the journal */
+  size_t resumed; /* number of points that were read from the store */
   size_t altered; /* number of stored results that were altered and are solved again */
-  bool damaged;   /* something else in the record was altered; it is written again */
-  bool kept;      /* the results were read from an earlier record */
+  bool untidy;    /* the store has lines that belong to no result of the case */
+  bool damaged;   /* the record or a table beside it was altered; they are written again */
+  bool current;   /* the record and the tables are those of the results, and are not written */
+  bool kept;      /* all results were read from the store */
   bool finished;  /* the checks were made, and the record, if any, is written */
-  char old_key[PO_DIGEST_LENGTH]; /* po_plan.key of that record */
   po_check_results check_results;
   po_check_results measured; /* the measurements: errors without a verdict */
   double elapsed;            /* seconds that the solves took */

@@ -74,7 +74,7 @@ bool po_times_are_enough(const po_round *rounds, unsigned count);
  * the question is asked. */
 bool po_run_solver_leads(const po_case_run *run, size_t point);
 
-/* Takes the answers that processes of an interrupted run wrote and that are not in the journal, and
+/* Takes the answers that processes of an interrupted run wrote and that are not in the store, and
  * removes what is left of them. Status: PO_NO_MEMORY, PO_CANNOT_WRITE. */
 po_status po_run_solver_recover(po_case_run *run);
 

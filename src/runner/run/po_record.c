@@ -146,7 +146,7 @@ static po_status write_points(const po_case_run *run, const char *folder, json_t
   *points = po_json_empty_array();
   for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
     json_t *point = NULL;
-    status = po_record_entry(run, i, folder, true, &point);
+    status = po_record_entry(run, i, folder, &point);
     po_json_append(points, point);
   }
   return status;
@@ -238,6 +238,7 @@ po_status po_record_write(po_case_run *run, const char *folder, int jobs,
   const bool whole = po_case_run_is_whole(run);
   const po_file_path part = po_path_join(folder, "part.json"), path = po_path_join(folder, RECORD);
   json_t *points = NULL, *lines = NULL;
+  char digest[PO_DIGEST_LENGTH];
   po_text text = {0};
   po_status status = po_folder_make(folder);
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
@@ -249,7 +250,7 @@ po_status po_record_write(po_case_run *run, const char *folder, int jobs,
     status = write_lines(run->plan->kase, folder, stop, &lines);
   if (!status) {
     json_t *record = record_json(run, jobs, points, lines);
-    status = po_json_print_checked(record, &text);
+    status = po_json_print_checked(record, false, &text, digest);
     json_decref(record);
   } else {
     json_decref(points);
@@ -263,75 +264,76 @@ po_status po_record_write(po_case_run *run, const char *folder, int jobs,
   return status;
 }
 
-/* A damaged record counts as absent. Without memory it is not known whether it is damaged. */
-static po_status found_or_not(po_status status) {
-  return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
-}
-
-/* Whether the tables of the closed forms have the checksums of the record. */
-static po_status check_lines(const json_t *lines, const char *folder) {
-  po_status status = PO_OK;
-  for (size_t i = 0; !status && i < json_array_size(lines); ++i) {
-    const json_t *line = json_array_get(lines, i);
-    const po_file_path path = po_path_join(folder, po_record_text(line, "table"));
-    po_csv csv = {0};
-    status = po_csv_read(path.text, path.text, &csv);
-    if (!status && strcmp(csv.digest, po_record_text(line, "table_sha256")) != 0)
-      status = PO_NOT_FOUND;
-    po_csv_clear(&csv);
-  }
-  return found_or_not(status);
-}
-
-/* Reads the points that are requested and not known. A record without its checksum was altered:
- * the points that have theirs are used, and the record is written again. */
-static po_status read_record(po_case_run *run, const json_t *record, bool intact,
-                             const char *folder) {
-  const json_t *points = json_object_get(record, "points");
-  if (strcmp(po_record_text(record, "solve_key"), run->plan->solve_key) != 0 &&
-      (intact || !json_object_get(record, "checksum")))
-    return PO_NOT_FOUND; /* of other scenes or of another program */
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    if (run->points[i].asked && !run->points[i].done &&
-        po_record_read_point(run, i, json_array_get(points, i), folder, intact) == PO_NO_MEMORY)
-      return PO_NO_MEMORY;
-  if (po_case_run_lacking(run))
-    return PO_NOT_FOUND;
-  const po_status lines = check_lines(json_object_get(record, "lines"), folder);
-  if (lines == PO_NO_MEMORY)
-    return lines;
-  run->damaged = !intact || lines;
-  snprintf(run->old_key, sizeof run->old_key, "%s",
-           run->damaged ? "" : po_record_text(record, "key"));
-  run->elapsed = json_number_value(json_object_get(record, "seconds"));
-  run->kept = run->finished = true;
-  run->pending = 0;
-  return PO_OK;
-}
-
-/* Reads the record in the folder of a case. Returned: *intact, whether it has its checksum;
- * *exists, whether there is a file, which may be no JSON. */
+/* Reads the record in a folder. Returned: *record, NULL if there is none; *intact, whether it has
+ * its checksum; *exists, whether there is a file, which may be no JSON. Status: PO_NO_MEMORY. */
 static po_status load(const char *folder, json_t **record, bool *intact, bool *exists) {
   char *bytes = NULL;
   size_t size = 0;
   po_status status = po_file_read(po_path_join(folder, RECORD).text, &bytes, &size);
   *exists = status == PO_OK;
+  *intact = false;
   if (!status)
     status = po_json_parse_checked(bytes, size, record, intact);
   free(bytes);
-  return found_or_not(status);
+  return status == PO_NO_MEMORY ? status : PO_OK;
 }
 
-po_status po_record_read(po_case_run *run, const char *folder) {
+/* Checks that a table beside the record has the checksum that the member NAME_sha256 states.
+ * Status: PO_NOT_FOUND if it does not; PO_NO_MEMORY. */
+static po_status check_table(const json_t *entry, const char *name, const char *folder) {
+  char key[32];
+  po_csv csv = {0};
+  if (!*po_record_text(entry, name))
+    return PO_OK;
+  const po_file_path path = po_path_join(folder, po_record_text(entry, name));
+  snprintf(key, sizeof key, "%s_sha256", name);
+  po_status status = po_csv_read(path.text, path.text, &csv);
+  if (!status && strcmp(csv.digest, po_record_text(entry, key)) != 0)
+    status = PO_NOT_FOUND;
+  po_csv_clear(&csv);
+  return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
+}
+
+static po_status check_tables(const json_t *record, const char *folder) {
+  const json_t *entry;
+  size_t i;
+  po_status status = PO_OK;
+  json_array_foreach(json_object_get(record, "points"), i, entry) {
+    if (!status)
+      status = check_table(entry, "curve", folder);
+    if (!status)
+      status = check_table(entry, "profile", folder);
+  }
+  json_array_foreach(json_object_get(record, "lines"), i, entry) {
+    if (!status)
+      status = check_table(entry, "table", folder);
+  }
+  return status;
+}
+
+/* Reports whether a record is that of this plan and of the files of the store that were read. */
+static bool is_of_run(const po_case_run *run, const json_t *record) {
+  const json_t *points = json_object_get(record, "points");
+  bool same = strcmp(po_record_text(record, "key"), run->plan->key) == 0;
+  for (size_t i = 0; same && i < run->plan->kase->point_count; ++i)
+    same = !run->points[i].asked || strcmp(po_record_text(json_array_get(points, i), "checksum"),
+                                           run->points[i].checksum) == 0;
+  return same;
+}
+
+po_status po_record_check(po_case_run *run, const char *folder) {
   json_t *record = NULL;
-  bool intact = false, exists = false;
+  bool intact, exists;
   po_status status = load(folder, &record, &intact, &exists);
-  if (status == PO_NOT_FOUND && exists)
-    run->altered += run->asked_count;
-  if (!status)
-    status = read_record(run, record, intact, folder);
+  const po_status tables = status || !intact ? PO_OK : check_tables(record, folder);
+  if (tables == PO_NO_MEMORY)
+    status = tables;
+  run->damaged = !status && ((exists && !intact) || tables);
+  run->current = !status && record && !run->damaged && is_of_run(run, record);
+  if (run->current)
+    run->elapsed = json_number_value(json_object_get(record, "seconds"));
   json_decref(record);
-  return found_or_not(status);
+  return status;
 }
 
 po_status po_record_check_owner(const po_case_run *run) {
@@ -349,5 +351,5 @@ po_status po_record_check_owner(const po_case_run *run) {
         "the record of %s",
         kase->shown, kase->file->name, run->folder.text, owner);
   json_decref(record);
-  return status == PO_NOT_FOUND ? PO_OK : status;
+  return status;
 }

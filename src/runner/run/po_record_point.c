@@ -96,14 +96,14 @@ static void read_times(po_case_run *run, size_t point, size_t column, const json
   }
 }
 
-/* Reads that member. Status: PO_NOT_FOUND if it is missing or incomplete. */
+/* Reads that member. Status: PO_BAD_INPUT if it is missing or incomplete. */
 static po_status read_timing(po_case_run *run, size_t point, const json_t *timing) {
   if (!run->starts)
     return PO_OK;
   for (size_t c = OF_ALL; c < COLUMN_COUNT; ++c) {
     const json_t *array = json_object_get(timing, COLUMNS[c].name);
     if (json_array_size(array) != run->plan->kase->repeats)
-      return PO_NOT_FOUND;
+      return po_fail(PO_BAD_INPUT, "the times of the rounds are incomplete");
     read_times(run, point, c, array);
   }
   run->points[point].interleaved = json_is_true(json_object_get(timing, "interleaved"));
@@ -216,139 +216,63 @@ po_status po_record_digest(const po_case_run *run, size_t index,
   return status;
 }
 
-json_t *po_record_point(const po_case_run *run, size_t index) {
-  const po_case *kase = run->plan->kase;
-  const po_point *point = &kase->points[index];
-  const po_result *result = &run->points[index].result;
-  const po_request shown = shown_request(kase, point);
-  json_t *object = sealed_result(&shown, result);
-  po_json_set(&object, "id", po_json_text(point->id));
-  po_json_set(&object, "label", po_json_text(point->label));
-  po_json_set(&object, "sweep", sweep(kase, index));
+json_t *po_record_result(const po_case_run *run, size_t index) {
+  const po_point *point = &run->plan->kase->points[index];
+  const po_request shown = shown_request(run->plan->kase, point);
+  json_t *object = sealed_result(&shown, &run->points[index].result);
   for (size_t c = 0; c < OF_ALL; ++c)
     po_json_set(&object, COLUMNS[c].name, times(run, index, c, false));
   if (run->starts)
     po_json_set(&object, "timing", timing_json(run, index));
-  po_json_set(&object, "command", command_json(run, index));
   if (point->traced)
     po_json_set(&object, "traced", sealed_result(&shown, &run->points[index].trace));
+  return object;
+}
+
+po_status po_record_read_result(po_case_run *run, size_t index, const json_t *object) {
+  const json_t *seconds = json_object_get(object, COLUMNS[0].name);
+  const json_t *processor = json_object_get(object, COLUMNS[1].name);
+  po_point_run *point = &run->points[index];
+  if (json_array_size(seconds) > run->plan->kase->repeats ||
+      json_array_size(processor) != json_array_size(seconds))
+    return po_fail(PO_BAD_INPUT, "the times are not those of %u solves", run->plan->kase->repeats);
+  po_result_clear(&point->result);
+  po_result_clear(&point->trace);
+  po_status status = po_json_read_result(object, &point->result);
+  if (!status && run->plan->kase->points[index].traced)
+    status = po_json_read_result(json_object_get(object, "traced"), &point->trace);
+  read_times(run, index, 0, seconds);
+  read_times(run, index, 1, processor);
+  return status ? status : read_timing(run, index, json_object_get(object, "timing"));
+}
+
+json_t *po_record_point(const po_case_run *run, size_t index) {
+  const po_case *kase = run->plan->kase;
+  const po_point *point = &kase->points[index];
+  json_t *object = po_record_result(run, index);
+  po_json_set(&object, "id", po_json_text(point->id));
+  po_json_set(&object, "label", po_json_text(point->label));
+  po_json_set(&object, "checksum",
+              po_json_text(*run->points[index].checksum ? run->points[index].checksum : NULL));
+  po_json_set(&object, "sweep", sweep(kase, index));
+  po_json_set(&object, "command", command_json(run, index));
+  po_json_set(&object, "failed", json_boolean(po_case_run_failed(run, index)));
   if (kase->is_physical) {
     json_t *physical = PO_JSON_OBJECT({"units", po_json_units(&kase->units)});
-    po_json_set_all(&physical, po_json_result_in_si(&kase->units, result));
+    po_json_set_all(&physical, po_json_result_in_si(&kase->units, &run->points[index].result));
     po_json_set(&object, "physical", physical);
   }
   return object;
 }
 
-po_status po_record_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
-  const po_plan *plan = run->plan;
-  po_text text = {0};
-  po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, plan->kase->repeats);
-  po_input_add_identity(&plan->kase->points[point].request, &text);
-  if (plan->kase->series_length > 1)
-    po_text_add(&text, "|%s", plan->solve_key);
-  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
-  po_digest_bytes(po_text_string(&text), text.length, key);
-  po_text_clear(&text);
-  return status;
-}
-
-/* The checksum of an entry that has none yet: of the key of its point and of all its members. */
-static po_status checksum(const po_case_run *run, size_t point, const json_t *entry,
-                          char digest[PO_DIGEST_LENGTH]) {
-  char key[PO_DIGEST_LENGTH];
-  po_text text = {0};
-  po_status status = po_record_key(run, point, key);
-  po_text_add(&text, "%s ", status ? "" : key);
-  if (!status)
-    status = po_json_print_line(entry, &text);
-  po_digest_bytes(po_text_string(&text), text.length, digest);
-  po_text_clear(&text);
-  return status;
-}
-
-po_status po_record_entry(const po_case_run *run, size_t index, const char *folder, bool judged,
+po_status po_record_entry(const po_case_run *run, size_t index, const char *folder,
                           json_t **entry) {
-  char digest[PO_DIGEST_LENGTH];
   *entry = po_record_point(run, index);
-  if (judged)
-    po_json_set(entry, "failed", json_boolean(po_case_run_failed(run, index)));
-  po_status status = add_table(run, index, false, folder, entry);
-  if (!status)
-    status = add_table(run, index, true, folder, entry);
-  if (!status)
-    status = checksum(run, index, *entry, digest);
-  if (!status)
-    po_json_set(entry, "checksum", po_json_text(digest));
-  return status ? status : *entry ? PO_OK : PO_NO_MEMORY;
-}
-
-/* Checks that an entry is as it was written, for this point, and removes its checksum. Status:
- * PO_NOT_FOUND if it is not; PO_NO_MEMORY. */
-static po_status check(const po_case_run *run, size_t point, json_t *entry) {
-  char digest[PO_DIGEST_LENGTH];
-  if (!json_is_object(entry))
-    return PO_NOT_FOUND;
-  json_t *stated = json_incref(json_object_get(entry, "checksum"));
-  json_object_del(entry, "checksum");
-  const char *text = json_string_value(stated);
-  po_status status = checksum(run, point, entry, digest);
-  if (!status && !po_digest_agrees(text ? text : "", digest))
-    status = PO_NOT_FOUND;
-  json_decref(stated);
-  return status;
+  const po_status status = add_table(run, index, false, folder, entry);
+  return status ? status : add_table(run, index, true, folder, entry);
 }
 
 const char *po_record_text(const json_t *object, const char *key) {
   const char *text = json_string_value(json_object_get(object, key));
   return text ? text : "";
-}
-
-static po_status read_table(const json_t *point, bool profile, bool needed, const char *folder,
-                            po_result *result) {
-  const char *name = po_record_text(point, profile ? "profile" : "curve");
-  const char *digest = po_record_text(point, profile ? "profile_sha256" : "curve_sha256");
-  if (!*name)
-    return needed && result->status == PO_OK ? PO_NOT_FOUND : PO_OK;
-  const po_file_path path = po_path_join(folder, name);
-  return po_tables_read(profile ? PO_PROFILE_TABLE : PO_CURVE_TABLE, path.text, digest, result);
-}
-
-/* Reads the numbers of an entry that has its checksum. */
-static po_status read_numbers(po_case_run *run, size_t index, const json_t *entry) {
-  const json_t *seconds = json_object_get(entry, COLUMNS[0].name);
-  const json_t *processor = json_object_get(entry, COLUMNS[1].name);
-  if (strcmp(po_record_text(entry, "id"), run->plan->kase->points[index].id) != 0 ||
-      json_array_size(seconds) > run->plan->kase->repeats ||
-      json_array_size(processor) != json_array_size(seconds))
-    return PO_NOT_FOUND;
-  po_status status = po_json_read_result(entry, &run->points[index].result);
-  if (!status && run->points[index].result.status == PO_NO_MEMORY)
-    status = PO_NOT_FOUND; /* lack of memory is no result: the point is solved again */
-  if (!status && run->plan->kase->points[index].traced) {
-    po_result_clear(&run->points[index].trace);
-    status = po_json_read_result(json_object_get(entry, "traced"), &run->points[index].trace);
-  }
-  read_times(run, index, 0, seconds);
-  read_times(run, index, 1, processor);
-  return status ? status : read_timing(run, index, json_object_get(entry, "timing"));
-}
-
-po_status po_record_read_point(po_case_run *run, size_t index, json_t *entry, const char *folder,
-                               bool intact) {
-  po_result *result = &run->points[index].result;
-  po_status status = intact ? PO_OK : check(run, index, entry);
-  if (!status) {
-    po_result_clear(result);
-    status = read_numbers(run, index, entry);
-    if (!status)
-      status = read_table(entry, false, run->plan->want & PO_WANT_CURVE, folder, result);
-    if (!status)
-      status = read_table(entry, true, run->plan->want & PO_WANT_PROFILE, folder, result);
-    run->points[index].done = status == PO_OK;
-    if (status)
-      po_result_clear(result);
-  }
-  run->altered += status && status != PO_NO_MEMORY;
-  return status && status != PO_NO_MEMORY ? PO_NOT_FOUND : status;
 }

@@ -12,6 +12,7 @@
 #include "po_job.h"
 #include "po_linear.h"
 #include "po_record.h"
+#include "po_store.h"
 #include "po_text.h"
 
 /* Shows the progress of a run on standard error: one line that is updated on a terminal, separate
@@ -144,13 +145,13 @@ static void report_finished(po_crew *crew, const po_case_run *run) {
 static po_status finish_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
   const bool whole = po_case_run_is_whole(run);
+  const bool writes = !run->current && (whole || run->plan->solver);
   po_status status = po_run_check(run, options->stop);
-  if (!status &&
-      (whole ? strcmp(run->old_key, run->plan->key) != 0 : run->plan->solver != NULL && !run->kept))
+  if (!status && writes && whole && run->untidy)
+    status = po_store_renew(run, run->folder.text);
+  if (!status && writes)
     status = po_record_write(run, run->folder.text, crew->jobs, options->stop);
   run->finished = status == PO_OK;
-  if (!status && whole)
-    status = po_journal_remove(run->folder.text);
   if (!status && !(options->brief && crew->progress.live))
     report_finished(crew, run);
   return status;
@@ -174,7 +175,7 @@ static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
   return true;
 }
 
-/* Counts a solve and, if it was the last one of its point, keeps the point in the journal. */
+/* Counts a solve and, if it was the last one of its point, stores the result. */
 static po_status take(void *context, po_case_run *run, size_t point, bool last) {
   po_crew *crew = context;
   if (!run->points[point].done) {
@@ -187,7 +188,7 @@ static po_status take(void *context, po_case_run *run, size_t point, bool last) 
     return PO_OK;
   run->pending -= !run->points[point].done;
   run->points[point].done = true;
-  return po_journal_add(run, point, run->folder.text);
+  return po_store_put(run, point, run->folder.text);
 }
 
 /* Does a job, and finishes the case if nothing of it is left to do. */
@@ -257,14 +258,18 @@ static po_status mark_interleaved(po_crew *crew, size_t count) {
   for (size_t r = 0; r < count && !status; ++r) {
     po_case_run *run = &crew->runs[r];
     bool changed = false;
-    for (size_t i = 0; run->starts && i < run->plan->kase->point_count; ++i) {
+    for (size_t i = 0; !status && run->starts && i < run->plan->kase->point_count; ++i) {
       const bool open = is_open_here(crew, count, run->plan->kase, i);
       const bool before = run->points[i].interleaved;
       if (run->points[i].asked && (open || !run->points[i].done))
         run->points[i].interleaved = open && !run->points[i].done;
-      changed = changed || run->points[i].interleaved != before;
+      if (run->points[i].interleaved == before)
+        continue;
+      changed = true;
+      if (run->points[i].done)
+        status = po_store_put(run, i, run->folder.text);
     }
-    if (run->finished && changed)
+    if (!status && run->finished && changed)
       status = po_record_write(run, run->folder.text, crew->jobs, crew->options->stop);
   }
   return status;
@@ -315,8 +320,8 @@ static void leave_out(po_case_run *run, const bool *needed) {
     }
 }
 
-/* Reports stored results that were altered. One that was read from another line of the journal is
- * none of them. */
+/* Reports what was altered since it was written. A result that was read from another line of the
+ * store is none of it. */
 static void report_altered(po_crew *crew, po_case_run *run) {
   const char *name = run->plan->kase->file->name;
   const size_t lacking = po_case_run_lacking(run);
@@ -328,37 +333,13 @@ static void report_altered(po_crew *crew, po_case_run *run) {
                  po_one_or_more(run->altered, "is", "are"));
   else if (run->damaged)
     progress_say(&crew->progress,
-                 "%s: the record was altered; its results have their checksums and are kept", name);
+                 "%s: the record or a table beside it was altered or damaged; the stored results "
+                 "are intact, and it is written again",
+                 name);
 }
 
-/* Reads the results of earlier runs of a case, unless all points are to be solved again, and counts
- * the points that are left to solve. A case without such points is finished. */
-static po_status begin_case(po_crew *crew, po_case_run *run) {
-  const po_run_options *options = crew->options;
-  if (options->fresh)
-    leave_out(run, options->needed);
-  if (!po_case_run_lacking(run) && run->asked_count)
-    return finish_case(crew, run); /* merged from shards */
-  if (options->fresh && po_case_run_is_whole(run)) {
-    const po_status status = po_journal_remove(run->folder.text);
-    if (status)
-      return status;
-  } else if (!options->fresh) {
-    po_status status = po_record_read(run, run->folder.text);
-    if (!status) {
-      report_altered(crew, run);
-      return finish_case(crew, run);
-    }
-    if (status == PO_NOT_FOUND)
-      status = po_journal_read(run, run->folder.text);
-    if (!status && run->plan->solver)
-      status = po_run_solver_recover(run);
-    if (status)
-      return status;
-    report_altered(crew, run);
-    leave_out(run, options->needed);
-  }
-  run->chunks = run->plan->kase->repeats > 1 ? 1 : (size_t)crew->jobs;
+/* Counts the points that are left to solve. */
+static void count_pending(po_crew *crew, po_case_run *run) {
   run->pending = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
     if (!run->points[i].asked)
@@ -368,9 +349,33 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
     run->resumed += resumed;
     run->elapsed += resumed && !run->plan->solver ? run->points[i].result.work.seconds : 0;
   }
+  run->chunks = run->plan->kase->repeats > 1 ? 1 : (size_t)crew->jobs;
   if (run->chunks > run->pending)
     run->chunks = run->pending;
-  return run->pending ? PO_OK : finish_case(crew, run);
+}
+
+/* Reads the results of earlier runs of a case, unless all points are to be solved again. A case
+ * without points that are left to solve is finished. */
+static po_status begin_case(po_crew *crew, po_case_run *run) {
+  const po_run_options *options = crew->options;
+  po_status status = PO_OK;
+  if (options->fresh)
+    leave_out(run, options->needed);
+  if (options->fresh || !po_case_run_lacking(run))
+    run->untidy = true; /* lines of earlier runs remain; or the case was merged from shards */
+  if (!po_case_run_lacking(run) && run->asked_count)
+    return finish_case(crew, run);
+  if (!options->fresh)
+    status = po_store_read(run, run->folder.text);
+  if (!status && !options->fresh && run->plan->solver)
+    status = po_run_solver_recover(run);
+  leave_out(run, options->needed);
+  count_pending(crew, run);
+  run->kept = run->pending == 0 && po_case_run_is_whole(run);
+  if (!status && run->pending == 0)
+    status = po_record_check(run, run->folder.text);
+  report_altered(crew, run);
+  return status || run->pending ? status : finish_case(crew, run);
 }
 
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options) {

@@ -22,7 +22,7 @@ typedef struct {
  * all solvers, so that a temporary load of the machine does not slow one more than the others. A
  * point whose solves have taken a tenth of a second of processor time together is not repeated
  * again. Such a point is stored after the last round. If only some points of a case are requested,
- * the checks are made on these, and the journal keeps the points for a later run (po_record.h). A
+ * the checks are made on these, and the store keeps the points for a later run (po_store.h). A
  * record of them is written only for an external solver, with another name, for the report
  * (po_record_write).
  *

@@ -10,7 +10,8 @@
 #include "po_input.h"
 #include "po_json.h"
 #include "po_memory.h"
-#include "po_record.h"
+#include "po_result_rows.h"
+#include "po_store.h"
 
 /* Reports whether an external solver is asked the same for two points: they differ only in the mesh
  * and the time limit of this program. */
@@ -98,15 +99,9 @@ static void clear_share(share_of_run *s) {
 static po_status copy_result(const po_case_run *run, size_t point, const po_result *from,
                              po_result *to) {
   json_t *document = po_json_result(&run->plan->kase->points[point].request, from);
-  po_status status = document ? po_json_read_result(document, to) : PO_NO_MEMORY;
+  po_json_set_all(&document, po_json_of(&PO_BRANCH_ROWS, from));
+  const po_status status = document ? po_json_read_result(document, to) : PO_NO_MEMORY;
   json_decref(document);
-  if (!status && from->curve_count) {
-    to->curve = po_allocate(from->curve_count, sizeof *to->curve);
-    if (!to->curve)
-      return PO_NO_MEMORY;
-    memcpy(to->curve, from->curve, from->curve_count * sizeof *to->curve);
-    to->curve_count = from->curve_count;
-  }
   return status;
 }
 
@@ -170,17 +165,17 @@ po_status po_job_share(po_case_run *run, const po_job *job, const po_job_desk *d
   return status;
 }
 
-/* A point that was recovered is in the journal before the folder with its answer is removed: this
- * run may be killed, too. */
+/* A point that was recovered is stored before the folder with its answer is removed: this run may
+ * be killed, too. */
 static po_status take_recovered(void *context, po_case_run *run, size_t point, bool last) {
   (void)context;
   run->points[point].done = last;
-  return po_journal_add(run, point, run->folder.text);
+  return po_store_put(run, point, run->folder.text);
 }
 
 po_status po_run_solver_recover(po_case_run *run) {
-  static const po_job_desk JOURNAL = {.take = take_recovered};
-  share_of_run s = {.desk = &JOURNAL};
+  static const po_job_desk STORE = {.take = take_recovered};
+  share_of_run s = {.desk = &STORE};
   po_status status = collect(run, 0, 1, &s);
   if (!status)
     status = po_recover(s.questions, s.count, run->folder.text, run->plan->solve_key, take, &s);
@@ -212,8 +207,8 @@ static po_status measure_start(po_case_run *run, unsigned round,
   po_ask_log log = {0};
   if (!isnan(run->starts[round].start_wall))
     return PO_OK;
-  const po_status status =
-      po_ask(run->plan->solver, NULL, 0, run->folder.text, NULL, stop, NULL, NULL, &log);
+  const po_status status = po_ask(run->plan->solver, NULL, 0, run->folder.text,
+                                  run->plan->solve_key, stop, NULL, NULL, &log);
   if (!status && log.count) {
     run->starts[round].start_wall = log.processes[0].wall;
     run->starts[round].start_processor = log.processes[0].processor;

@@ -10,9 +10,9 @@
 #include "po_file.h"
 #include "po_json_digest.h"
 #include "po_memory.h"
-#include "po_order.h"
 #include "po_random.h"
 #include "po_record.h"
+#include "po_store.h"
 #include "po_text.h"
 
 static const char SCHEMA[] = "pulloff-shard/1";
@@ -40,21 +40,20 @@ po_status po_shard_deal(po_case_run *runs, size_t count, po_shard shard) {
   if (!groups)
     return PO_NO_MEMORY;
   for (size_t r = 0; r < count; ++r) {
-    const po_case *kase = runs[r].plan->kase;
-    const size_t length = group_length(kase);
-    for (size_t i = 0; i < kase->point_count; runs[r].points[i++].asked = false)
-      if (i % length == 0) {
-        groups[filled] = (group){po_random_mix(filled), r, i, length};
-        ++filled;
-      }
+    const size_t length = group_length(runs[r].plan->kase);
+    for (size_t i = 0; i < runs[r].plan->kase->point_count; i += length, ++filled)
+      groups[filled] = (group){po_random_mix(filled), r, i, length};
     runs[r].asked_count = 0;
   }
   qsort(groups, total, sizeof *groups, by_place);
-  for (size_t p = shard.number - 1; p < total; p += shard.count) {
+  for (size_t p = 0; p < total; ++p) {
     po_case_run *run = &runs[groups[p].run];
-    for (size_t i = groups[p].first; i < groups[p].first + groups[p].length; ++i)
-      run->points[i].asked = true;
-    run->asked_count += groups[p].length;
+    const size_t number = p % shard.count + 1;
+    for (size_t i = groups[p].first; i < groups[p].first + groups[p].length; ++i) {
+      run->points[i].shard = number;
+      run->points[i].asked = number == shard.number;
+    }
+    run->asked_count += number == shard.number ? groups[p].length : 0;
   }
   free(groups);
   return PO_OK;
@@ -64,32 +63,30 @@ static const char *case_argument(const po_case *kase) {
   return kase->is_own ? kase->shown : kase->file->name;
 }
 
-static json_t *cases_json(const po_case_run *runs, size_t count) {
+/* Returned: what all shards of a run have in common. */
+static json_t *request_json(const po_case_run *runs, size_t count, size_t of, double time_limit) {
   json_t *cases = po_json_empty_array();
-  for (size_t r = 0; r < count; ++r) {
-    const po_plan *plan = runs[r].plan;
-    po_json_append(&cases, PO_JSON_OBJECT({"case", po_json_text(plan->kase->file->name)},
-                                          {"argument", po_json_text(case_argument(plan->kase))},
-                                          {"solve_key", po_json_text(plan->solve_key)},
-                                          {"points", po_json_count(plan->kase->point_count)},
-                                          {"asked", po_json_count(runs[r].asked_count)}));
-  }
-  return cases;
+  for (size_t r = 0; r < count; ++r)
+    po_json_append(&cases,
+                   PO_JSON_OBJECT({"case", po_json_text(runs[r].plan->kase->file->name)},
+                                  {"argument", po_json_text(case_argument(runs[r].plan->kase))},
+                                  {"solve_key", po_json_text(runs[r].plan->solve_key)}));
+  return PO_JSON_OBJECT({"of", po_json_count(of)}, {"program", po_json_text(runs[0].plan->program)},
+                        {"time_limit", po_json_number(time_limit)}, {"cases", cases});
 }
 
 po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, double time_limit,
                          int jobs, const char *output) {
-  char name[64];
+  char name[64], digest[PO_DIGEST_LENGTH];
   po_text text = {0};
   snprintf(name, sizeof name, "shard-%zu-of-%zu.json", shard.number, shard.count);
-  json_t *document = PO_JSON_OBJECT(
-      {"schema", po_json_text(SCHEMA)}, {"shard", po_json_count(shard.number)},
-      {"of", po_json_count(shard.count)}, {"program", po_json_text(runs[0].plan->program)},
-      {"time_limit", po_json_number(time_limit)}, {"environment", po_environment_describe(jobs)},
-      {"cases", cases_json(runs, count)});
+  json_t *document =
+      PO_JSON_OBJECT({"schema", po_json_text(SCHEMA)}, {"shard", po_json_count(shard.number)},
+                     {"environment", po_environment_describe(jobs)});
+  po_json_set_all(&document, request_json(runs, count, shard.count, time_limit));
   po_status status = po_folder_make(output);
   if (!status)
-    status = po_json_print_checked(document, &text);
+    status = po_json_print_checked(document, false, &text, digest);
   if (!status)
     status = po_file_write(po_path_join(output, name).text, text.data, text.length);
   json_decref(document);
@@ -99,8 +96,20 @@ po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, 
 
 /* The merge. */
 
-static const json_t *cases_of(const po_merge_part *part) {
-  return json_object_get(part->root, "cases");
+/* Checks the description of a shard. */
+static po_status check_part(const po_merge_part *part, bool intact) {
+  const json_t *root = part->root, *number = json_object_get(root, "shard");
+  const double limit = po_json_read_number(root, "time_limit");
+  if (strcmp(po_record_text(root, "schema"), SCHEMA) != 0 || json_integer_value(number) < 1 ||
+      json_integer_value(number) > json_integer_value(json_object_get(root, "of")) ||
+      json_array_size(json_object_get(root, "cases")) == 0 || limit <= 0 ||
+      !json_is_object(json_object_get(root, "environment")))
+    return po_fail(PO_CANNOT_READ, "%s is damaged: expected the description of a shard",
+                   part->path.text);
+  if (!intact)
+    return po_fail(PO_CANNOT_READ, "%s was altered: it does not have its checksum",
+                   part->path.text);
+  return PO_OK;
 }
 
 /* Reads the file of a shard. */
@@ -111,34 +120,16 @@ static po_status read_part(po_merge *merge, const char *folder, const char *name
   merge->parts = parts;
   po_merge_part *part = &parts[merge->count++];
   *part = (po_merge_part){.path = po_path_join(folder, name), .folder = folder};
-  const char *path = part->path.text;
   char *bytes = NULL;
   size_t size = 0;
-  po_status status = po_file_read(path, &bytes, &size);
   bool intact = false;
-  if (!status &&
-      (status = po_json_parse_checked(bytes, size, &part->root, &intact)) == PO_CANNOT_READ)
-    status = PO_OK; /* reported below, like a file that does not describe a shard */
+  po_status status = po_file_read(part->path.text, &bytes, &size);
+  if (!status)
+    status = po_json_parse_checked(bytes, size, &part->root, &intact);
   free(bytes);
-  if (status)
+  if (status == PO_NO_MEMORY || (status && !size))
     return status;
-  const json_int_t number = json_integer_value(json_object_get(part->root, "shard"));
-  const json_int_t of = json_integer_value(json_object_get(part->root, "of"));
-  if (strcmp(po_record_text(part->root, "schema"), SCHEMA) != 0 || number < 1 || number > of ||
-      json_array_size(cases_of(part)) == 0 ||
-      !json_is_object(json_object_get(part->root, "environment")))
-    return po_fail(PO_CANNOT_READ, "%s is damaged: expected the description of a shard", path);
-  if (!intact)
-    return po_fail(PO_CANNOT_READ, "%s was altered: it does not have its checksum", path);
-  if (of > PO_MOST_SHARDS)
-    return po_fail(PO_CANNOT_READ, "%s is damaged: it is one of %lld shards, expected at most %d",
-                   path, (long long)of, PO_MOST_SHARDS);
-  const double limit = po_json_read_number(part->root, "time_limit");
-  if (limit <= 0)
-    return po_fail(PO_CANNOT_READ, "%s is damaged: time_limit is %g, expected a number > 0 or null",
-                   path, limit);
-  part->shard = (po_shard){(size_t)number, (size_t)of};
-  return PO_OK;
+  return check_part(part, intact);
 }
 
 static po_status read_folder(po_merge *merge, const char *folder) {
@@ -160,107 +151,39 @@ static po_status read_folder(po_merge *merge, const char *folder) {
   return status;
 }
 
-/* Returned: the name of a case that only one of two shards has; NULL if their cases agree. */
-static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
-  const json_t *mine = cases_of(a), *theirs = cases_of(b);
-  for (size_t i = 0; i < json_array_size(mine) || i < json_array_size(theirs); ++i) {
-    const json_t *x = json_array_get(mine, i), *y = json_array_get(theirs, i);
-    if (strcmp(po_record_text(x, "case"), po_record_text(y, "case")) != 0)
-      return po_record_text(y ? y : x, "case");
-  }
-  return NULL;
+/* Returned: the first case of a shard that differs from that of a request. */
+static const char *other_case(const json_t *part, const json_t *request) {
+  const json_t *mine = json_object_get(part, "cases"), *theirs = json_object_get(request, "cases");
+  size_t i = 0;
+  while (json_equal(json_array_get(mine, i), json_array_get(theirs, i)))
+    ++i;
+  const json_t *found = json_array_get(mine, i);
+  return po_record_text(found ? found : json_array_get(theirs, i), "case");
 }
 
-/* Refuses a shard that solves a case otherwise than the first one. */
-static po_status refuse_scenes(const po_merge_part *first, const po_merge_part *part,
-                               const char *name) {
-  char limits[2][PO_NUMBER_LENGTH] = {"none", "none"};
-  const double mine = po_json_read_number(part->root, "time_limit"),
-               other = po_json_read_number(first->root, "time_limit");
-  if (!isnan(mine))
-    po_number_print(mine, limits[0]);
-  if (!isnan(other))
-    po_number_print(other, limits[1]);
-  if (strcmp(limits[0], limits[1]) != 0)
-    return po_fail(PO_BAD_INPUT, "%s: time_limit is %s: expected %s, as in %s", part->path.text,
-                   limits[0], limits[1], first->path.text);
-  return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
-                 part->path.text, name, first->path.text);
-}
-
-/* Compares a shard with the first one: program, cases and scenes must agree. */
-static po_status check_part(const po_merge_part *first, const po_merge_part *part) {
-  if (part->shard.count != first->shard.count)
-    return po_fail(PO_BAD_INPUT, "%s is one of %zu %s: expected one of %zu, as %s is",
-                   part->path.text, part->shard.count,
-                   po_one_or_more(part->shard.count, "shard", "shards"), first->shard.count,
-                   first->path.text);
-  if (strcmp(po_record_text(first->root, "program"), po_record_text(part->root, "program")) != 0)
-    return po_fail(PO_BAD_INPUT,
-                   "%s was computed by another program than %s: expected the same program",
-                   part->path.text, first->path.text);
-  const char *other = other_case(first, part);
-  if (other)
-    return po_fail(PO_BAD_INPUT,
-                   "%s has other cases than %s: expected the same, but only one has %s",
-                   part->path.text, first->path.text, other);
-  for (size_t i = 0; i < json_array_size(cases_of(part)); ++i) {
-    const json_t *entry = json_array_get(cases_of(part), i);
-    if (strcmp(po_record_text(entry, "solve_key"),
-               po_record_text(json_array_get(cases_of(first), i), "solve_key")) != 0)
-      return refuse_scenes(first, part, po_record_text(entry, "case"));
-  }
+/* Checks that a shard belongs to the same run as another one, or as a request. */
+static po_status check_same(const po_merge_part *part, const json_t *request, const char *whose) {
+  static const struct {
+    const char *key, *what;
+  } SAME[] = {{"of", "another number of shards"},
+              {"program", "another program"},
+              {"time_limit", "another time limit"},
+              {"cases", "other cases, or other scenes, at case "}};
+  for (size_t k = 0; k < sizeof SAME / sizeof *SAME; ++k)
+    if (!json_equal(json_object_get(part->root, SAME[k].key),
+                    json_object_get(request, SAME[k].key)))
+      return po_fail(PO_BAD_INPUT, "%s is of a run with %s%s than %s: expected shards of one run",
+                     part->path.text, SAME[k].what,
+                     strcmp(SAME[k].key, "cases") == 0 ? other_case(part->root, request) : "",
+                     whose);
   return PO_OK;
-}
-
-static int by_number(const void *a, const void *b, void *unused) {
-  const size_t x = ((const po_merge_part *)a)->shard.number;
-  const size_t y = ((const po_merge_part *)b)->shard.number;
-  (void)unused;
-  return (x > y) - (x < y);
-}
-
-/* The message names at most this many missing shards, and states the number of the others. */
-static const size_t MOST_NAMED = 10;
-
-static po_status refuse_missing(const po_merge *merge) {
-  const size_t of = merge->parts[0].shard.count, count = of - merge->count;
-  bool *there = po_allocate(of, sizeof *there);
-  if (!there)
-    return PO_NO_MEMORY;
-  for (size_t i = 0; i < merge->count; ++i)
-    there[merge->parts[i].shard.number - 1] = true;
-  po_text missing = {0};
-  for (size_t number = 1, named = 0; number <= of && named < MOST_NAMED; ++number)
-    if (!there[number - 1])
-      po_text_add(&missing, "%s%zu/%zu", named++ ? ", " : "", number, of);
-  if (count > MOST_NAMED)
-    po_text_add(&missing, " and %zu more", count - MOST_NAMED);
-  const po_status status =
-      po_fail(PO_BAD_INPUT, "%s missing: %s; expected all %zu shards",
-              po_one_or_more(count, "a shard is", "shards are"), po_text_string(&missing), of);
-  po_text_clear(&missing);
-  free(there);
-  return status;
-}
-
-/* Checks that each shard exists exactly once. */
-static po_status check_complete(const po_merge *merge) {
-  po_repeat repeat;
-  const po_status status = po_order_find_repeat(merge->parts, merge->count, sizeof *merge->parts,
-                                                by_number, NULL, &repeat);
-  if (status)
-    return status;
-  if (repeat.found)
-    return po_fail(PO_BAD_INPUT, "%s overlaps %s: expected each shard once",
-                   merge->parts[repeat.again].path.text, merge->parts[repeat.first].path.text);
-  return merge->count < merge->parts[0].shard.count ? refuse_missing(merge) : PO_OK;
 }
 
 /* Reads what the cases and their time limit were, which all shards have in common. */
 static po_status take_request(po_merge *merge) {
-  const json_t *cases = cases_of(&merge->parts[0]);
+  const json_t *cases = json_object_get(merge->parts[0].root, "cases");
   merge->time_limit = po_json_read_number(merge->parts[0].root, "time_limit");
+  merge->of = (size_t)po_json_count_of(merge->parts[0].root, "of");
   merge->case_count = json_array_size(cases);
   merge->cases = po_allocate(merge->case_count, sizeof *merge->cases);
   for (size_t i = 0; merge->cases && i < merge->case_count; ++i)
@@ -274,9 +197,7 @@ po_status po_merge_open(char *const *folders, size_t count, po_merge *merge) {
   for (size_t i = 0; !status && i < count; ++i)
     status = read_folder(merge, folders[i]);
   for (size_t i = 1; !status && i < merge->count; ++i)
-    status = check_part(&merge->parts[0], &merge->parts[i]);
-  if (!status)
-    status = check_complete(merge);
+    status = check_same(&merge->parts[i], merge->parts[0].root, merge->parts[0].path.text);
   return status ? status : take_request(merge);
 }
 
@@ -288,74 +209,71 @@ void po_merge_close(po_merge *merge) {
   *merge = (po_merge){0};
 }
 
-/* Checks that the shards were computed by this program, for the scenes of these cases. */
-static po_status check_runs(const po_merge_part *first, const po_case_run *runs, size_t count) {
-  if (strcmp(po_record_text(first->root, "program"), runs[0].plan->program) != 0)
-    return po_fail(
-        PO_BAD_INPUT,
-        "%s was computed by another program: expected the program that merges the shards",
-        first->path.text);
-  for (size_t r = 0; r < count; ++r) {
-    const json_t *entry = json_array_get(cases_of(first), r);
-    if (strcmp(po_record_text(entry, "case"), runs[r].plan->kase->file->name) != 0 ||
-        strcmp(po_record_text(entry, "solve_key"), runs[r].plan->solve_key) != 0)
-      return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
-                     first->path.text, po_record_text(entry, "case"), runs[r].plan->kase->shown);
+/* The message names at most this many shards. */
+static const size_t MOST_NAMED = 10;
+
+static int by_number(const void *a, const void *b) {
+  const size_t x = *(const size_t *)a, y = *(const size_t *)b;
+  return (x > y) - (x < y);
+}
+
+/* Refuses a case of which points are lacking, and names the shards to which they belong. */
+static po_status refuse_lacking(const po_merge *merge, const po_case_run *run) {
+  const size_t points = run->plan->kase->point_count, lacking = po_case_run_lacking(run);
+  size_t *numbers = po_allocate(lacking, sizeof *numbers), count = 0, named = 0;
+  po_text text = {0};
+  if (!numbers)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < points; ++i)
+    if (!run->points[i].done)
+      numbers[count++] = run->points[i].shard;
+  qsort(numbers, count, sizeof *numbers, by_number);
+  for (size_t k = 0; k < count; ++k)
+    if ((k == 0 || numbers[k] != numbers[k - 1]) && named++ < MOST_NAMED)
+      po_text_add(&text, "%s%zu/%zu", named > 1 ? ", " : "", numbers[k], merge->of);
+  if (named > MOST_NAMED)
+    po_text_add(&text, " and %zu more", named - MOST_NAMED);
+  const po_status status = po_fail(
+      PO_CANNOT_READ,
+      "%zu of %zu %s of %s %s%s: expected all %zu shards, each finished; missing or not finished: "
+      "%s",
+      lacking, points, po_one_or_more(points, "point", "points"), run->plan->kase->file->name,
+      po_one_or_more(lacking, "is lacking", "are lacking"),
+      run->altered ? ", and stored results were altered or damaged" : "", merge->of,
+      po_text_string(&text));
+  po_text_clear(&text);
+  free(numbers);
+  return status;
+}
+
+/* Reads the points of a case from the stores of all shards. The environment of the case is that of
+ * the shard that has its first point. */
+static po_status fill_case(const po_merge *merge, po_case_run *run) {
+  po_status status = PO_OK;
+  po_case_run_ask(run, &(po_point_range){0, run->plan->kase->point_count}, 1);
+  for (size_t p = 0; !status && p < merge->count && po_case_run_lacking(run); ++p) {
+    const po_merge_part *part = &merge->parts[p];
+    status = po_store_read(run, po_path_join(part->folder, run->plan->kase->file->name).text);
+    if (!run->environment && run->points[0].done)
+      run->environment = json_incref(json_object_get(part->root, "environment"));
   }
-  return PO_OK;
-}
-
-/* Reads the points from the journal, and those that it lacks from a record: a shard that solved all
- * points of a case has a record in place of a journal. */
-static po_status read_results(po_case_run *run, const char *output) {
-  const po_file_path folder = po_path_join(output, run->plan->kase->file->name);
-  po_status status = po_journal_read(run, folder.text);
   if (!status && po_case_run_lacking(run))
-    status = po_record_read(run, folder.text);
-  run->kept = run->finished = false;
-  run->old_key[0] = '\0';
-  return status == PO_NOT_FOUND ? PO_OK : status;
-}
-
-/* Reads the points that belong to a shard. Other points in its folder are ignored. */
-static po_status read_points(const po_merge_part *part, po_case_run *run) {
-  const po_status status = read_results(run, part->folder);
-  const size_t lacking = po_case_run_lacking(run);
-  if (!status && lacking)
-    return po_fail(PO_CANNOT_READ,
-                   "%s lacks %zu of %zu %s of %s%s: expected the complete shard %zu/%zu; run it "
-                   "again",
-                   part->folder, lacking, run->asked_count,
-                   po_one_or_more(run->asked_count, "point", "points"), run->plan->kase->file->name,
-                   run->altered ? ", whose stored results were altered" : "", part->shard.number,
-                   part->shard.count);
-  if (!status && run->damaged)
-    return po_fail(PO_CANNOT_READ, "%s: the record of %s was altered: run the shard again",
-                   part->folder, run->plan->kase->file->name);
-  if (!status && run->points[0].asked) {
-    json_decref(run->environment);
-    run->environment = json_incref(json_object_get(part->root, "environment"));
+    return refuse_lacking(merge, run);
+  run->altered = 0; /* an intact copy was found */
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+    const double seconds = run->points[i].result.work.seconds;
+    run->elapsed += isnan(seconds) ? 0 : seconds; /* of an external solver, not reported */
   }
   return status;
 }
 
 po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) {
-  po_status status = check_runs(&merge->parts[0], runs, count);
-  for (size_t p = 0; !status && p < merge->count; ++p) {
-    const po_merge_part *part = &merge->parts[p];
-    status = po_shard_deal(runs, count, part->shard);
-    for (size_t r = 0; !status && r < count; ++r)
-      if (runs[r].asked_count)
-        status = read_points(part, &runs[r]);
-  }
-  for (size_t r = 0; r < count; ++r) {
-    const size_t points = runs[r].plan->kase->point_count;
-    po_case_run_ask(&runs[r], &(po_point_range){0, points}, 1);
-    runs[r].elapsed = 0;
-    for (size_t i = 0; i < points; ++i) {
-      const double seconds = runs[r].points[i].result.work.seconds;
-      runs[r].elapsed += isnan(seconds) ? 0 : seconds; /* of an external solver, not reported */
-    }
-  }
+  json_t *request = request_json(runs, count, merge->of, merge->time_limit);
+  po_status status = request ? check_same(&merge->parts[0], request, "this one") : PO_NO_MEMORY;
+  json_decref(request);
+  if (!status)
+    status = po_shard_deal(runs, count, (po_shard){1, merge->of});
+  for (size_t r = 0; !status && r < count; ++r)
+    status = fill_case(merge, &runs[r]);
   return status;
 }

@@ -271,7 +271,9 @@ po_status po_json_read_result(const json_t *object, po_result *result) {
   if (!status)
     status = read_into(object, &PO_WANTED_ROWS, result);
   if (!status)
-    status = read_into(json_object_get(object, "contact"), &PO_CONTACT_ROWS, result);
+    status = read_into(object, &PO_BRANCH_ROWS, result);
+  if (!status)
+    status = read_into(object, &PO_SURFACE_ROWS, result);
   if (status)
     po_result_clear(result);
   return status;

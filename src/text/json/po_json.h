@@ -24,8 +24,9 @@ json_t *po_json_result(const po_request *request, const po_result *result);
  * "contact" if they were requested. Returned: NULL if memory runs out. */
 json_t *po_json_document(const po_request *request, const po_result *result);
 
-/* The inverse of po_json_result, except for `input`; arrays of points stay empty. Status:
- * PO_BAD_INPUT if a member is missing or has the wrong type; PO_NO_MEMORY. */
+/* The inverse of po_json_result, except for `input`, with the curve, the profile and the contact if
+ * the object has them. Status: PO_BAD_INPUT if a member is missing or has the wrong type;
+ * PO_NO_MEMORY. */
 po_status po_json_read_result(const json_t *object, po_result *result);
 
 /* Returned: a structure as an object; NULL if memory runs out. */

@@ -119,18 +119,22 @@ void po_json_seal(json_t **document) {
   po_json_set(document, "digest", value);
 }
 
-/* The beginning of a document with a checksum, which follows; then the end of its line. */
-static const char BEGIN[] = "{\n  \"checksum\": \"", END[] = "\",\n";
-enum { BRACE = 2, LINE_END = sizeof BEGIN - 1 + PO_DIGEST_LENGTH - 1 + sizeof END - 1 };
+/* The beginning of a document with a checksum, which follows; then what ends this member. */
+static const struct {
+  const char *begin, *end;
+  size_t brace; /* length of the beginning of the document, which is the first part of `begin` */
+} FORMS[] = {{"{\n  \"checksum\": \"", "\",\n", 2}, {"{\"checksum\":\"", "\",", 1}};
+enum { FORM_COUNT = sizeof FORMS / sizeof *FORMS };
 
-po_status po_json_print_checked(const json_t *document, po_text *text) {
-  char digest[PO_DIGEST_LENGTH];
+po_status po_json_print_checked(const json_t *document, bool line, po_text *text,
+                                char digest[PO_DIGEST_LENGTH]) {
+  const size_t brace = FORMS[line].brace;
   po_text plain = {0};
-  po_status status = po_json_print(document, &plain);
+  po_status status = line ? po_json_print_line(document, &plain) : po_json_print(document, &plain);
   if (!status) {
     po_digest_bytes(plain.data, plain.length, digest);
-    po_text_add(text, "%s%s%s", BEGIN, digest, END);
-    po_text_add_bytes(text, plain.data + BRACE, plain.length - BRACE);
+    po_text_add(text, "%s%s%s", FORMS[line].begin, digest, FORMS[line].end);
+    po_text_add_bytes(text, plain.data + brace, plain.length - brace);
     if (text->failed)
       status = po_fail(PO_NO_MEMORY, "out of memory while a JSON document was written");
   }
@@ -140,11 +144,17 @@ po_status po_json_print_checked(const json_t *document, po_text *text) {
 
 po_status po_json_parse_checked(const char *bytes, size_t size, json_t **document, bool *intact) {
   char stated[PO_DIGEST_LENGTH] = "", computed[PO_DIGEST_LENGTH];
-  const bool has = size > LINE_END && memcmp(bytes, BEGIN, sizeof BEGIN - 1) == 0;
-  if (has)
-    memcpy(stated, bytes + sizeof BEGIN - 1, PO_DIGEST_LENGTH - 1);
-  const size_t rest = has ? LINE_END : 0;
-  po_digest_two(BEGIN, has ? BRACE : 0, bytes + rest, size - rest, computed);
+  size_t brace = 0, rest = 0;
+  for (size_t k = 0; k < FORM_COUNT && !rest; ++k) {
+    const size_t begin = strlen(FORMS[k].begin);
+    const size_t length = begin + PO_DIGEST_LENGTH - 1 + strlen(FORMS[k].end);
+    if (size <= length || memcmp(bytes, FORMS[k].begin, begin) != 0)
+      continue;
+    memcpy(stated, bytes + begin, PO_DIGEST_LENGTH - 1);
+    brace = FORMS[k].brace;
+    rest = length;
+  }
+  po_digest_two(bytes, brace, bytes + rest, size - rest, computed);
   *intact = po_digest_agrees(stated, computed);
   return po_json_parse(bytes, size, document);
 }

@@ -18,9 +18,11 @@ po_status po_json_digest(const json_t *document, char digest[PO_RESULT_DIGEST_LE
 /* Adds the member "digest". If memory runs out, the document is released and *document is NULL. */
 void po_json_seal(json_t **document);
 
-/* As po_json_print, for an object with members, with "checksum" as the first member: the SHA-256 of
- * all lines but its own. Status: PO_NO_MEMORY, also for a document that is NULL. */
-po_status po_json_print_checked(const json_t *document, po_text *text);
+/* As po_json_print, or as po_json_print_line, for an object with members, with "checksum" as the
+ * first member: the SHA-256 of all lines but its own; of one line, of all but this member.
+ * Returned: digest, this checksum. Status: PO_NO_MEMORY, also for a document that is NULL. */
+po_status po_json_print_checked(const json_t *document, bool line, po_text *text,
+                                char digest[PO_DIGEST_LENGTH]);
 
 /* As po_json_parse. Returned: *intact, whether the document has its checksum. */
 po_status po_json_parse_checked(const char *bytes, size_t size, json_t **document, bool *intact);

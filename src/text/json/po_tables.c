@@ -18,9 +18,8 @@
 /* A column of a table, and the path of its number in the items of a list. */
 typedef struct {
   const char *name, *path;
-  bool optional;  /* the curve of an external solver does not have it: nan */
   bool metric;    /* in the metric of the solver, which has no SI unit: not in tables in SI units */
-  bool of_spring; /* only in tables of a scene with a spring; not read */
+  bool of_spring; /* only in tables of a scene with a spring */
 } column;
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 
@@ -28,12 +27,12 @@ static const column CURVE[] = {
     {"position", "position", .metric = true},
     {"approach", "approach"},
     {"load", "load"},
-    {"energy", "energy", .optional = true},
-    {"contact_radius", "contact_radius", .optional = true},
-    {"approach_rate", "approach_rate", .optional = true, .metric = true},
-    {"load_rate", "load_rate", .optional = true, .metric = true},
+    {"energy", "energy"},
+    {"contact_radius", "contact_radius"},
+    {"approach_rate", "approach_rate", .metric = true},
+    {"load_rate", "load_rate", .metric = true},
     {"unstable_modes", "unstable_modes"},
-    {"energy_error", "energy_error_estimate", .optional = true},
+    {"energy_error", "energy_error_estimate"},
     {"unstable_modes_at_base", "unstable_modes_at_base", .of_spring = true}};
 
 static const column PROFILE[] = {{"radius", "radius"}, {"gap", "gap"}, {"traction", "traction"}};
@@ -251,57 +250,4 @@ po_status po_tables_write_series(const char *path, const char *key, const double
       path, requests,
       "pull-off of scenes in which one parameter varies; the command solves the first", units,
       &rows, NULL);
-}
-
-static po_status read_cell(const po_csv *csv, size_t r, size_t at, const column *c,
-                           const po_row *row, char *item) {
-  double value = (double)NAN;
-  po_status status = PO_OK;
-  if (!c->optional || strcmp(po_csv_cell(csv, r, at), "nan") != 0)
-    status = po_csv_number(csv, r, at, &value);
-  if (status)
-    return status;
-  if (row->type != PO_ROW_INTEGER)
-    po_row_put(row, item, value);
-  else if (value >= 0 && value <= INT_MAX && value == floor(value))
-    *(int *)(void *)(item + row->offset) = (int)value;
-  else
-    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a whole number", csv->path, c->name,
-                   value);
-  return PO_OK;
-}
-
-po_status po_tables_read(po_table table, const char *path, const char *digest, po_result *result) {
-  const po_row *list = po_block_find(&PO_ALL_ROWS, NULL, TABLES[table].list[0].path).row;
-  po_csv csv;
-  po_status status = po_csv_read(path, path, &csv);
-  if (status)
-    return status;
-  char *items = po_allocate(csv.row_count, list->block->size);
-  if (!items)
-    status = PO_NO_MEMORY;
-  else if (strcmp(digest, csv.digest) != 0)
-    status =
-        po_fail(PO_CANNOT_READ, "%s is not the table of this record: its checksum differs", path);
-  for (size_t c = 0; !status && c < TABLES[table].count; ++c) {
-    const column *read = &TABLES[table].column[c];
-    const int found = po_csv_find_column(&csv, read->name);
-    if (read->of_spring)
-      continue;
-    if (found < 0)
-      status = po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", path, csv.column_line,
-                       read->name);
-    const po_row *row = po_block_find(list->block, NULL, read->path).row;
-    for (size_t r = 0; !status && r < csv.row_count; ++r)
-      status = read_cell(&csv, r, (size_t)found, read, row, items + r * list->block->size);
-  }
-  const size_t count = status ? 0 : csv.row_count;
-  po_csv_clear(&csv);
-  if (status) {
-    free(items);
-    items = NULL;
-  }
-  memcpy((char *)result + list->offset, &items, sizeof items);
-  memcpy((char *)result + list->count, &count, sizeof count);
-  return status;
 }

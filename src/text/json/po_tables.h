@@ -35,9 +35,4 @@ po_status po_tables_write_series(const char *path, const char *key, const double
                                  const po_request *requests, const po_result *results,
                                  size_t count);
 
-/* Reads the table of a branch or a profile into the list of the result, without
- * unstable_modes_at_base. Status: PO_CANNOT_READ, also if the checksum of the table is not
- * `digest`; PO_NO_MEMORY. */
-po_status po_tables_read(po_table table, const char *path, const char *digest, po_result *result);
-
 #endif
