@@ -9,6 +9,12 @@ import sys
 BEGIN, END = '{\n  "checksum": "', '",\n'
 
 
+def line_of(document):
+    """A document as a line of a store, with its checksum."""
+    plain = json.dumps({key: value for key, value in document.items() if key != "checksum"}, separators=(",", ":")) + "\n"
+    return '{"checksum":"' + hashlib.sha256(plain.encode()).hexdigest() + '",' + plain.removeprefix("{")
+
+
 def text_of(document):
     """A document as a file with its checksum."""
     plain = json.dumps({key: value for key, value in document.items() if key != "checksum"}, indent=2) + "\n"

@@ -1,10 +1,10 @@
 """The pull-off of a series of scenes: the verb follow, and cases with the key `follow`."""
 
+import json
 import pathlib
 import re
 import sys
 
-import digest
 import pytest
 from conftest import ROOT, agree, document, expect, load, run
 
@@ -132,13 +132,14 @@ def traces(record):
 
 
 def alter(record, drawn, change):
-    """Changes a point of a record, and gives its trace the digest of its new results."""
-    document = load(record)
-    point = next(p for p in document["points"] if p["id"] == drawn)
-    change(point)
-    point["traced"]["digest"] = digest.function()(point["traced"])
-    document["key"] = ""
-    checksum.write(record, document)
+    """Changes a point in the store beside a record, and gives its line the checksum of the new content."""
+    [stated] = [p["checksum"] for p in load(record)["points"] if p["id"] == drawn]
+    store = pathlib.Path(record).with_name("points.jsonl")
+    points = [json.loads(line) for line in store.read_text().splitlines()]
+    for point in points:
+        if point["checksum"] == stated:
+            change(point)
+    store.write_text("".join(map(checksum.line_of, points)))
 
 
 def test_a_case_with_two_series(data):
@@ -190,8 +191,8 @@ def test_a_case_with_two_series(data):
     assert "missing_reference: the trace failed: it is made so" in expect(1, "*", "verify --verbose good --output traced").out
 
     # Stored results that were altered do not have their checksum: they are no results.
-    text = pathlib.Path(record).read_text()
-    pathlib.Path(record).write_text(text.replace('"force": 1', '"force": 2'))
+    store = pathlib.Path(record).with_name("points.jsonl")
+    store.write_text(store.read_text().replace('"force":1', '"force":2'))
     again = run("verify good --output traced")
     assert re.search("^good: [0-9]+ stored results were altered or damaged and are solved again$", again.err, re.MULTILINE)
     assert '"force": 1' in pathlib.Path(record).read_text(), "the results are those of before"

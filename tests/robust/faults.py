@@ -60,7 +60,7 @@ COMMANDS = [
 # libyaml 0.2.5 leaks the current node if the memory for the stack of its parser cannot be allocated.
 LEAKS_OF_ITS_OWN = "/libyaml-0.so"
 
-KINDS = ("allocate", "open", "read", "write", "short", "close", "fsync", "ftruncate", "rename", "mkdir", "unlink")
+KINDS = ("allocate", "open", "read", "write", "short", "close", "fsync", "rename", "mkdir", "unlink")
 MODES = ("once", "on", "kill")
 
 

@@ -37,7 +37,6 @@ typedef enum {
   SHORT_WRITE,
   CLOSE,
   FSYNC,
-  FTRUNCATE,
   RENAME,
   MKDIR,
   UNLINK,
@@ -55,7 +54,6 @@ static const struct {
     [SHORT_WRITE] = {"short", ENOSPC},
     [CLOSE] = {"close", EIO},
     [FSYNC] = {"fsync", EIO},
-    [FTRUNCATE] = {"ftruncate", EIO},
     [RENAME] = {"rename", EIO},
     [MKDIR] = {"mkdir", ENOSPC},
     [UNLINK] = {"unlink", EACCES},
@@ -227,7 +225,6 @@ static struct {
   ssize_t (*write)(int, const void *, size_t);
   int (*close)(int);
   int (*fsync)(int);
-  int (*ftruncate)(int, off_t);
   int (*rename)(const char *, const char *);
   int (*mkdir)(const char *, mode_t);
   int (*unlink)(const char *);
@@ -249,7 +246,6 @@ static void find_all(void) {
   find("write", &real.write);
   find("close", &real.close);
   find("fsync", &real.fsync);
-  find("ftruncate", &real.ftruncate);
   find("rename", &real.rename);
   find("mkdir", &real.mkdir);
   find("unlink", &real.unlink);
@@ -314,11 +310,6 @@ int close(int file) {
 int fsync(int file) {
   READY;
   return fails(FSYNC) ? -1 : real.fsync(file);
-}
-
-int ftruncate(int file, off_t size) {
-  READY;
-  return fails(FTRUNCATE) ? -1 : real.ftruncate(file, size);
 }
 
 int rename(const char *from, const char *to) {

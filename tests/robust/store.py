@@ -531,9 +531,14 @@ def sign(rng, text):
     return replace(text, place, text[place[0]:place[1]][1:] if text[place[0]] == "-" else "-" + text[place[0]:place[1]])
 
 
-def swap_values(rng, text):
-    one, two = sorted(rng.sample(spans(text, NUMBER), 2))
+def swap_values(rng, text, pattern=NUMBER):
+    one, two = sorted(rng.sample(spans(text, pattern), 2))
     return text[:one[0]] + text[two[0]:two[1]] + text[one[1]:two[0]] + text[one[0]:one[1]] + text[two[1]:]
+
+
+def swap_keys(rng, text):
+    """The keys of two points of a store."""
+    return swap_values(rng, text, r'"key":"([0-9a-f]{64})"')
 
 
 def of_lines(edit):
@@ -603,7 +608,8 @@ def factor(rng, document):
 
 def digest(rng, document):
     holder, key = rng.choice([(one, key) for one in walk(document) if isinstance(one, dict) for key in sorted(one)
-                              if key in ("digest", "checksum", "curve_sha256", "profile_sha256", "table_sha256", "solve_key", "key")])
+                              if isinstance(one[key], str) and key in ("digest", "checksum", "curve_sha256", "profile_sha256",
+                                                                       "table_sha256", "solve_key", "key")])
     holder[key] = digit(rng, holder[key])
 
 
@@ -618,8 +624,8 @@ def exchange_points(rng, document):
 
 def exchange_files(rng, path):
     """With the same file of another point, case or shard."""
-    head = path.name.split("-")[0]
-    others = [other for other in path.parents[2].rglob(f"{head}*{path.suffix}") if other != path and other.is_file()]
+    name = STORE if path.name == STORE else path.name.split("-")[0] + "-*" + path.suffix
+    others = [other for other in path.parents[2].rglob(name) if other != path and other.is_file()]
     if not others:
         return None
     other = rng.choice(sorted(others))
@@ -630,7 +636,7 @@ def exchange_files(rng, path):
 
 
 TEXTS = {"digit": digit, "sign": sign, "swapped values": swap_values, "text": change_text, "status, kind": change_status,
-         "truncated": lambda rng, text: text[:rng.randrange(len(text))], "swapped lines": of_lines(swap_lines),
+         "truncated": lambda rng, text: text[:rng.randrange(len(text))], "swapped lines": of_lines(swap_lines), "exchanged keys": swap_keys,
          "dropped line": of_lines(lambda lines, one, two: lines.pop(one)),
          "doubled line": of_lines(lambda lines, one, two: lines.insert(one, lines[one]))}
 DOCUMENTS = {"dropped key": of_json(drop(dict)), "dropped item": of_json(drop(list)), "factor near 1": of_json(factor),

@@ -22,7 +22,7 @@ po_status po_store_key(const po_case_run *run, size_t point, char key[PO_DIGEST_
   po_text text = {0};
   po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, plan->kase->repeats);
   po_input_add_identity(&plan->kase->points[point].request, &text);
-  if (plan->kase->series_length > 1)
+  if (plan->kase->series_length > 1 || plan->kase->repeats > 1)
     po_text_add(&text, "|%s|%zu", plan->solve_key, point);
   const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
   po_digest_bytes(po_text_string(&text), text.length, key);

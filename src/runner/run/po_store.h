@@ -13,8 +13,8 @@
 #include "po_case_run.h"
 
 /* Returned: a digest of all that determines the results of a point. It does not depend on the other
- * points of the case, except in a series, where each result depends on its predecessors. Status:
- * PO_NO_MEMORY. */
+ * points of the case, except in a series, where each result depends on its predecessors, and in a
+ * case that is timed, in rounds over all points. Status: PO_NO_MEMORY. */
 po_status po_store_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]);
 
 /* Appends a point. Returned: its checksum in run->points. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
