@@ -186,6 +186,7 @@ def test_a_case_with_two_series(data):
     # A difference between a followed and a traced value is an error. A missing trace is no agreement.
     alter(record, drawn, lambda p: p["traced"]["pull_off"].update(force=p["traced"]["pull_off"]["force"] * (1 + 2e-5)))
     assert expect(1, "*", "verify --verbose good --output traced").count(r"^good +pull_off_force .* oracle +outside")
+    assert traces(record) != traces("one/good/record.json"), "the record is written again if a stored result is another"
     assert "the trace of the same scene finds another pull-off" in expect(1, "*", "explain good --output traced").out
     alter(record, drawn, lambda p: p["traced"].update(status="not_converged", reason="it is made so", pull_off=None))
     assert "missing_reference: the trace failed: it is made so" in expect(1, "*", "verify --verbose good --output traced").out
