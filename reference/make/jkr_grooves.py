@@ -128,8 +128,10 @@ def tables(note):
     for alpha, beta, preload in SCENES:
         rows = path_of(alpha, beta, preload, known, note)
         names = [f"{alpha:g}", f"{beta:g}", f"{preload:g}"]
+        approach = 0.0
         for index, (phase, kind, state, uncertainty, edges) in enumerate(rows, 1):
-            numbers = ["-", "0"] if state is APART else [f"{state.approach:.12g}", f"{state.load:.12g}"]
+            approach = approach if state is APART else state.approach       # jumps are at given approach
+            numbers = [f"{approach:.12g}", "0" if state is APART else f"{state.load:.12g}"]
             path_rows.append([*names, str(index), phase, kind, *numbers, str(state.grooves), joined(state.edges),
                               f"{uncertainty:.1e}", f"{edges:.1e}"])
         _, _, state, uncertainty, edges = pull_off(rows)
