@@ -98,8 +98,8 @@ static double arclength_share(const po_equilibrium *e, double edge) {
  * several edges and linear systems are solved by GMRES, approach and load keep their weight: then
  * Newton's method converges from predictions that are less close, and the amount of contact alone
  * turns back, in a corner that is a millionth of a step wide, wherever the edges of several annuli
- * move in opposite directions. With that weight, a smooth sphere of mu = 10,000 would take ten
- * times as many points. */
+ * move in opposite directions. With that weight a smooth sphere of mu = 10,000, which takes 630
+ * points, had not ended after 1,204. */
 static void reweigh(po_continuation *t) {
   po_equilibrium *e = t->c.e;
   const size_t edges = t->current.edges.count;
