@@ -38,7 +38,7 @@ HEAD = """# The mechanisms of the solver
 
 What each mechanism of the solver is for, and what happens without it. `tests/ablation/ablate.py` switches one off at a time in a copy of the source, by an edit of a line or two (`mechanisms.toml`), and solves {scenes} scenes in {sets} sets ([how](../tests/ablation/README.md)): *small*: cheap scenes of all kinds; *wavy*; *general*: any law, profile and number of waves; *soft*: Tabor parameters from 100 to 10,000, sharp edges, steep laws. [The method](method.md) explains the mechanisms.
 
-Entries: points of the branch and Newton iterations without the mechanism over those with it, of the scenes that are solved both times; scenes that are no longer solved; special points lost or spurious beside a solution at a tolerance of 1e-8; stated errors that this solution violates. "–": no counter changes by as much as 0.5 %, and nothing is lost.
+Entries: points of the branch and Newton iterations without the mechanism over those with it, of the scenes that are solved both times; scenes that are no longer solved; special points lost or spurious beside a solution at a tolerance of 1e-8; stated errors that this solution violates. "–": no counter changes by as much as 0.5 %, and nothing is lost. A row stays as it is until its mechanism is measured anew.
 
 | mechanism | what it is for |{columns}
 |---|---|{lines}
