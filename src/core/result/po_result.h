@@ -111,7 +111,7 @@ typedef enum {
 
 typedef struct {
   po_status status; /* PO_OK: complete; otherwise the results are those found before the failure */
-  char reason[480]; /* why the status is not PO_OK; "" otherwise */
+  char reason[640]; /* why the status is not PO_OK; "" otherwise */
   bool rigid;       /* solved without elasticity */
   bool followed;    /* only the pull-off, by parameter continuation, see po_series.h */
   double start;     /* first approach traced, in eps */

@@ -230,7 +230,7 @@ static po_status with_range(po_status status, const po_collector *reader) {
       status,
       "%s; a contact edge is %.2g wavelengths wide, with %.3g waves in contact: expected "
       "--distance-m %.4g times as great, or Tabor parameter, coupling and all lengths so many "
-      "times smaller%s, which changed loads by about %.0e in scenes that were tried",
+      "times smaller%s, changing loads by %.0e where tried",
       *po_message() ? po_message() : po_status_text(status), width,
       reader->points.path[reader->points.count - 1].contact_radius / shortest, larger, command,
       0.5 * ADVISED_WIDTH);

@@ -84,7 +84,7 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
 /* A finding as a test for other programs. */
 typedef struct {
   const char *what, *id; /* together its name */
-  char words[480];       /* what is to be said of it, unless it is plain */
+  char words[640];       /* what is to be said of it, unless it is plain */
 } named;
 
 static void name_finding(const po_case_run *run, const po_finding *finding, named *test) {
