@@ -2,7 +2,7 @@
 """What is lost without each mechanism of the solver.
 
     ablate.py                    all mechanisms that results.csv does not have yet
-    ablate.py --only 'births'    those whose name matches, measured anew
+    ablate.py --only 'GMRES'     those whose name matches, measured anew
     ablate.py --without 'a|b'    all that match switched off at once; prints the rows and keeps nothing
 
 A copy of the source in build/ablation has one mechanism of mechanisms.toml switched off by an edit, is built, and runs the

@@ -1,7 +1,6 @@
 #!/bin/sh
-# Builds the program with GCC without optimisation, and with GCC and Clang at their highest level, and compares the digests: a level
-# between does what the highest one does, too. The folder with the builds is kept. Called by .ci/run, which has installed both
-# compilers.
+# Builds the program with GCC without optimisation, and with GCC and Clang at their highest level, and compares the digests. The
+# folder with the builds is kept. Called by .ci/run, which has installed both compilers.
 set -u
 cd "$(dirname "$0")/../.." || exit 4
 folder=build-compilers

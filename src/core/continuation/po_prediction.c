@@ -6,8 +6,8 @@
 #include "po_profile.h"
 #include "po_special_point.h"
 
-/* Distance along the arclength functional below which edges that are about to meet are left out of
- * the displacement. */
+/* Distance along the arclength functional below which the prediction is at fixed radii if edges are
+ * about to meet. */
 static const double MEETING_STEP = 1e-4;
 
 /* Two predictions are compared at every so many nodes: at three a panel. */

@@ -70,8 +70,7 @@ static po_status collect_between(const po_interval *interval, const po_sample *a
   return status;
 }
 
-/* Collects the events between two samples. Halves the interval while extrema are suspected in it.
- */
+/* Collects the events between two samples. Halves the interval if extrema are suspected in it. */
 static po_status collect(const po_interval *interval, const po_sample *a, const po_sample *b,
                          int splits, po_events *found) {
   const bool split =

@@ -106,19 +106,14 @@ po_edge_place po_edge_origin(const po_moving_edges *f, const double *shift, doub
   return p;
 }
 
-double po_edge_strain(const po_moving_edges *f, const double *shift, size_t *tightest) {
+double po_edge_strain(const po_moving_edges *f, const double *shift) {
   double from = 0.0, value = 0.0, worst = 0.0; /* as in find */
-  *tightest = 0;
   for (size_t k = 0; k <= f->count && f->count > 0; ++k) {
     const bool last = k == f->count;
     const double half = last ? 0.0 : PLATEAU * neighbour_distance(f, k);
     const double begin = last ? OUTER_END * f->at[k - 1] : f->at[k] - half;
     const double next = last ? 0.0 : shift[k];
-    const double here = STEEPEST * fabs(next - value) / (begin - from);
-    if (here > worst) {
-      worst = here;
-      *tightest = k;
-    }
+    worst = fmax(worst, STEEPEST * fabs(next - value) / (begin - from));
     from = last ? begin : f->at[k] + half;
     value = next;
   }
@@ -126,11 +121,9 @@ double po_edge_strain(const po_moving_edges *f, const double *shift, size_t *tig
 }
 
 bool po_edge_may_move(const po_moving_edges *f, const double *shift) {
-  size_t tightest;
-  return po_edge_strain(f, shift, &tightest) < GREATEST_STRAIN;
+  return po_edge_strain(f, shift) < GREATEST_STRAIN;
 }
 
 bool po_edge_may_relate(const po_moving_edges *f, const double *shift) {
-  size_t tightest;
-  return po_edge_strain(f, shift, &tightest) < GREATEST_STRAIN_BACK;
+  return po_edge_strain(f, shift) < GREATEST_STRAIN_BACK;
 }

@@ -40,10 +40,8 @@ po_edge_place po_edge_origin(const po_moving_edges *edges, const double *shift, 
                              size_t near);
 
 /* The strain: the largest modulus of the slope of the displacement. Below 1 the displaced radii
- * keep their order. Returned: also the interval in which it is attained, as the index k of the
- * contact edge at its outer end (its inner end is edge k - 1, or the axis for k = 0); the number of
- * edges for the interval beyond the outermost edge. */
-double po_edge_strain(const po_moving_edges *edges, const double *shift, size_t *tightest);
+ * keep their order. */
+double po_edge_strain(const po_moving_edges *edges, const double *shift);
 
 /* Whether the strain is small enough for a prediction to move the edges by these shifts; and
  * whether it is small enough for interpolation between solutions whose edges differ by these
