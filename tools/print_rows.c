@@ -73,6 +73,8 @@ static void print_words(int key) {
     printf("%s ", PO_SCHEMES[k]);
   for (int k = 0; key == PO_KEY_GRADING && PO_GRADINGS[k]; ++k)
     printf("%s ", PO_GRADINGS[k]);
+  for (int k = 0; key == PO_KEY_RANGE && PO_RANGES[k]; ++k)
+    printf("%s ", PO_RANGES[k]);
 }
 
 static void print_keys(void) {

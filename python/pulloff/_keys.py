@@ -40,6 +40,7 @@ class Keys(TypedDict, total=False):
     preload: Number
     preload_load: Number
     stiffness: Number
+    range: Name
     time_limit: Number
     alpha: Number
     amplitude_ratio: Number

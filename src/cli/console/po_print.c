@@ -96,6 +96,14 @@ static void print_pull_off(const po_result *o) {
                                                                        : "");
 }
 
+/* With which ranges of the attraction the pull-off was found, if not with the true one. */
+static void print_range(const po_result *o) {
+  if (o->range.is_reduced)
+    printf("range    %.4g to %.4g times as great; the limit at the true one, %+.1e from the "
+           "least, is stated with its error\n",
+           o->range.least, o->range.greatest, o->range.change);
+}
+
 /* Part of R. At this contact radius the gap of the sphere exceeds that of the parabola by 2 %, and
  * the pull-off force of the parabola by JKR theory that of the sphere by 4 %. */
 static const double WIDE_CONTACT = 0.3;
@@ -170,6 +178,10 @@ static void print_preload(const po_result *o) {
   if (!o->has_pull_off || o->status)
     return;
   const po_preload *from = &o->pull_off.pressed, *until = &o->pull_off.until;
+  if (isnan(from->approach) && o->range.is_reduced) {
+    print_harder(o);
+    return;
+  }
   printf("preload  ");
   if (isnan(from->approach))
     printf("no test at given approach measures this minimum of the load\n");
@@ -205,6 +217,8 @@ static bool is_printed(const po_request *request, po_key key) {
   switch (key) {
   case PO_KEY_AMPLITUDE:
     return po_scene_waves(&request->scene) < 2;
+  case PO_KEY_RANGE:
+    return request->range != PO_RANGE_AUTO;
   case PO_KEY_RADIUS: /* of reference, epsilon, of a profile that is not a sphere */
     return !po_input_has_coupling(request);
   case PO_KEY_WAVELENGTH:
@@ -322,6 +336,7 @@ void po_print_summary(const po_request *request, const po_result *result) {
          result->rigid ? ", solved as rigid" : "",
          result->has_pull_off ? "" : ", no pull-off found");
   print_pull_off(result);
+  print_range(result);
   print_parabola(request, result);
 }
 

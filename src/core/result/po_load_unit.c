@@ -38,31 +38,40 @@ po_preload po_load_unit_preload(const po_request *request) {
   return preload;
 }
 
-static double convert(po_dimension dimension, double value, double unit) {
+/* The factors of loads and lengths. */
+typedef struct {
+  double load, length;
+} factors;
+
+static double convert(po_dimension dimension, double value, factors by) {
   switch (dimension) {
+  case PO_DIMENSION_LENGTH:
+    return value * by.length;
   case PO_DIMENSION_LOAD:
+    return value * by.load;
   case PO_DIMENSION_ENERGY:
+    return value * by.load * by.length;
   case PO_DIMENSION_STIFFNESS:
-    return value * unit;
+    return value * by.load / by.length;
   case PO_DIMENSION_TRACTION: /* in w/(mu eps), mu^3 as R */
-    return value / po_cbrt(unit);
+    return value / po_cbrt(by.load);
   default:
     return value;
   }
 }
 
 /* Converts every member that is a number. */
-static void convert_block(const po_block *block, void *owner, double unit) {
+static void convert_block(const po_block *block, void *owner, factors by) {
   for (size_t i = 0; i < block->count; ++i) {
     const po_row *row = &block->row[i];
     if (row->type == PO_ROW_PART || row->type == PO_ROW_INLINE)
-      convert_block(row->block, (char *)owner + row->offset, unit);
+      convert_block(row->block, (char *)owner + row->offset, by);
     else if (row->type == PO_ROW_LIST)
       for (size_t k = 0; k < po_row_items(row, owner); ++k)
-        convert_block(row->block, po_row_item(row, owner, k), unit);
+        convert_block(row->block, po_row_item(row, owner, k), by);
     else if (row->type == PO_ROW_NUMBER && !row->alias) {
       double *number = (void *)((char *)owner + row->offset);
-      *number = convert(row->dimension, *number, unit);
+      *number = convert(row->dimension, *number, by);
     }
   }
 }
@@ -70,5 +79,9 @@ static void convert_block(const po_block *block, void *owner, double unit) {
 void po_load_unit_result(const po_scene *solved, po_result *o) {
   const double unit = po_scene_load_unit(solved);
   if (unit != 1.0)
-    convert_block(&PO_ALL_ROWS, o, unit);
+    convert_block(&PO_ALL_ROWS, o, (factors){.load = unit, .length = 1.0});
+}
+
+void po_load_unit_lengthen(po_result *o, double factor) {
+  convert_block(&PO_ALL_ROWS, o, (factors){.load = 1.0, .length = factor});
 }

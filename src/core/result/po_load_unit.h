@@ -23,4 +23,7 @@ po_preload po_load_unit_preload(const po_request *request);
  * the solve. */
 void po_load_unit_result(const po_scene *solved, po_result *result);
 
+/* Converts a result to a unit of length that is `factor` times smaller. Loads stay. */
+void po_load_unit_lengthen(po_result *result, double factor);
+
 #endif

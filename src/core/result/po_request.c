@@ -14,6 +14,9 @@ po_request po_request_default(void) {
                       .time_limit = NAN};
 }
 
+const char *const PO_RANGES[] = {
+    [PO_RANGE_AUTO] = "auto", [PO_RANGE_EXACT] = "exact", [PO_RANGE_REDUCED] = "reduced", NULL};
+
 const char *const PO_WANTS[] = {"curve",       "profile", "hysteresis",
                                 "diagnostics", "preload", "theories"};
 

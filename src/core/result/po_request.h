@@ -31,6 +31,15 @@ typedef enum {
                   */
 } po_search;
 
+/* Whether a pull-off may be found with greater ranges of the attraction, see po_reduced.h. */
+typedef enum {
+  PO_RANGE_AUTO,    /* where contact edges are very narrow, or the solve with the true one fails */
+  PO_RANGE_EXACT,   /* never */
+  PO_RANGE_REDUCED, /* always */
+} po_range_choice;
+
+extern const char *const PO_RANGES[]; /* their names; ends with NULL */
+
 /* The closed-form theories that are evaluated for the scene beside the solve, as
  * po_theory_forces.h. */
 struct po_request;
@@ -82,6 +91,7 @@ typedef struct po_request {
   const po_theories *theories;   /* NULL: none; a search is then never known to be complete */
   const po_variation *variation; /* of uncertain inputs; NULL: none */
   size_t variations;
+  po_range_choice range;
   double time_limit; /* seconds of processor time of the solving thread; NAN: none */
   const volatile sig_atomic_t
       *stop; /* nonzero interrupts the solve; see po_deadline.h; may be NULL */

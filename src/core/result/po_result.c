@@ -13,6 +13,7 @@ po_result po_result_none(void) {
       .uncertainty = NAN,
       .pull_off = {.full_disc = NAN, .excess = NAN, .pressed = unknown, .until = unknown},
       .pull_off_any = {.pressed = unknown, .searched = unknown},
+      .range = {.least = NAN, .greatest = NAN, .change = NAN},
       .diagnostics = {.residual = NAN,
                       .rounding = NAN,
                       .energy_defect = NAN,

@@ -148,6 +148,12 @@ typedef struct {
     bool complete;                   /* no harder preload gives more */
     po_preload searched;             /* otherwise: the hardest preload of the trace */
   } pull_off_any;
+  struct {           /* of a solve with greater ranges of the attraction, see po_reduced.h */
+    bool is_reduced; /* whether it was one; then the special points are those of which the limit is
+                        known */
+    double least, greatest; /* the last five ranges, relative to that of the scene */
+    double change; /* of the force from the least range to the true one, / (pi w R) */
+  } range;
   po_special_point *folds; /* along the branch */
   size_t fold_count;
   po_special_point *extrema; /* along the branch */

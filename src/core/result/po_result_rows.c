@@ -249,7 +249,16 @@ static const po_row RESULT[] = {
   PART("work", work, WORK_ROWS, "counters of work, and the time"),
 };
 
+static const po_row RANGE[] = {
+  NUMBER("least", range.least, NONE, "", "", "the least range, relative to that of the scene"),
+  NUMBER("greatest", range.greatest, NONE, "", "", "the greatest of the five ranges from which the limit follows"),
+  NUMBER("change", range.change, LOAD, "", "", "change of the pull-off force from the least range to the true one; its error is in `error_estimate`"),
+};
+static const po_block RANGE_ROWS = BLOCK("range", RANGE, NULL);
+
 static const po_row WANTED[] = {
+  {.key = "range", .type = PO_ROW_PART, .block = &RANGE_ROWS, .omitted = true, .present = AT(bool, range.is_reduced),
+   TEXTS("", "absent unless the pull-off was found with greater ranges of the attraction", "the ranges with which the scene was solved ([guide](guide.md#a-greater-range)); `folds` and `extrema` are then those of which the limit is known")},
   {.key = "interpolation", .type = PO_ROW_PART, .block = &INTERPOLATION_ROWS, .omitted = true,
    .present = AT(bool, interpolation.is_known),
    TEXTS("", "absent but for a table without noise", "uncertainty of the pull-off force by the interpolation between the rows of a table; it has no part in `error_estimate`, nor in the digest")},

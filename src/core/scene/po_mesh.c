@@ -6,7 +6,8 @@ const char *const PO_GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "grad
 
 /* Below the smallest tolerance rounding dominates; above the greatest one the coarsest mesh already
  * meets the tolerance. */
-static const double LEAST_TOLERANCE = 1e-10, GREATEST_TOLERANCE = 1e-2;
+const double PO_LEAST_TOLERANCE = 1e-10;
+static const double GREATEST_TOLERANCE = 1e-2;
 /* Fewer nodes do not resolve the contact; more would need over 200 MB for a solve, and panels reach
  * the same accuracy with fewer. */
 enum { LEAST_NODES = 8, MOST_NODES_ASKED = 2500 };
@@ -22,9 +23,9 @@ po_status po_mesh_check(const po_mesh *mesh) {
   if ((int)mesh->grading < 0 || mesh->grading > PO_GRADED)
     return po_fail(PO_BAD_INPUT, "grading is %d: expected uniform or graded", (int)mesh->grading);
   if (mesh->scheme == PO_PANEL) {
-    if (!(mesh->tolerance >= LEAST_TOLERANCE && mesh->tolerance <= GREATEST_TOLERANCE))
+    if (!(mesh->tolerance >= PO_LEAST_TOLERANCE && mesh->tolerance <= GREATEST_TOLERANCE))
       return po_fail(PO_BAD_INPUT, "tolerance is %g: expected %g to %g", mesh->tolerance,
-                     LEAST_TOLERANCE, GREATEST_TOLERANCE);
+                     PO_LEAST_TOLERANCE, GREATEST_TOLERANCE);
     return PO_OK;
   }
   if (mesh->nodes < LEAST_NODES || mesh->nodes > MOST_NODES_ASKED)

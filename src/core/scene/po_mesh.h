@@ -30,6 +30,9 @@ typedef struct {
  * 500 elements); it applies if another scheme is chosen. */
 po_mesh po_mesh_default(void);
 
+/* The least tolerance. */
+extern const double PO_LEAST_TOLERANCE;
+
 /* Checks a mesh. Status: PO_BAD_INPUT, naming the key that is wrong, its value and the expected
  * range. */
 po_status po_mesh_check(const po_mesh *mesh);

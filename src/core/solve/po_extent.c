@@ -8,6 +8,7 @@
 #include "po_law.h"
 #include "po_panel_table.h"
 #include "po_panels.h"
+#include "po_reduced.h"
 #include "po_rigid.h"
 #include "po_scales.h"
 #include "po_solve.h"
@@ -173,7 +174,9 @@ static po_size size_of_fixed(const po_request *request) {
   return (po_size){(size_t)nodes, PROGRAM_BYTES + 2.0 * sizeof(double) * nodes * nodes};
 }
 
-po_size po_request_size(const po_request *request) {
+po_size po_request_size(const po_request *asked) {
+  const po_request narrowest = po_reduced_narrowest(asked);
+  const po_request *request = po_reduced_is_chosen(asked) ? &narrowest : asked;
   if (po_rigid_suffices(&request->scene))
     return (po_size){0, PROGRAM_BYTES};
   if (request->mesh.scheme != PO_PANEL)

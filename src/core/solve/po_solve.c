@@ -8,6 +8,7 @@
 #include "po_linear.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
+#include "po_reduced.h"
 #include "po_scales.h"
 #include "po_solve_parts.h"
 
@@ -59,8 +60,7 @@ static const double SHARPER = 0.3;
 /* Ratio of error to tolerance that is assumed if the error could not be estimated. */
 static const double UNKNOWN_EXCESS = 3.0;
 
-/* Ratio of error to tolerance above which the solve fails after the last trace. */
-static const double MOST_EXCESS = 10.0;
+const double PO_MOST_EXCESS = 10.0;
 
 enum { MOST_TRACES = 3 };
 
@@ -78,7 +78,7 @@ static const double START_MARGIN = 1.0;
  * JKR theory it jumps out at -1.61 mu. */
 static const double BEGIN = 4.0;
 
-static void add_work(const po_work *more, po_work *work) {
+void po_work_add(const po_work *more, po_work *work) {
   work->points += more->points;
   work->newton_iterations += more->newton_iterations;
   work->factorizations += more->factorizations;
@@ -112,7 +112,7 @@ static double excess_of_panels(const po_request *request, const po_result *resul
 static bool needs_larger_domain(const po_request *request, const po_result *result) {
   return result->has_pull_off && !result->rigid &&
          result->pull_off.far_force_error >
-             MOST_EXCESS * request->mesh.tolerance * result->pull_off.force;
+             PO_MOST_EXCESS * request->mesh.tolerance * result->pull_off.force;
 }
 
 /* The greatest approach at which the trace may begin; NAN: any. */
@@ -157,7 +157,7 @@ static po_status attempt(const po_request *request, po_kept_points *kept, po_res
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     po_result_clear(result);
     status = po_trace(request, &a, kept, result);
-    add_work(&result->work, &work);
+    po_work_add(&result->work, &work);
     double excess = status ? 0.0 : excess_of_panels(request, result);
     if (!status && a.unmet_folds > 0)
       excess = fmax(excess, UNKNOWN_EXCESS);
@@ -179,7 +179,7 @@ static po_status attempt(const po_request *request, po_kept_points *kept, po_res
         "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
         "equilibrium was found there on a finer mesh",
         result->pull_off.force * po_scene_load_unit(&request->scene), result->pull_off.approach);
-  if (!status && po_request_excess(request, result) > MOST_EXCESS)
+  if (!status && po_request_excess(request, result) > PO_MOST_EXCESS)
     return po_fail(PO_NOT_CONVERGED,
                    "the error of the pull-off force %.6g is estimated at %.2g, %.2g times the "
                    "tolerance, also on finer panels%s",
@@ -190,6 +190,48 @@ static po_status attempt(const po_request *request, po_kept_points *kept, po_res
                        ? " and a larger domain: expected a larger tolerance or an outer radius"
                        : ": expected a larger tolerance");
   return status;
+}
+
+static po_status attempt_exact(const po_request *request, po_result *result) {
+  *result = po_result_none();
+  return attempt(request, NULL, result);
+}
+
+/* Fails if the request asks for greater ranges where they do not apply. */
+static po_status range_check(const po_request *request) {
+  if (request->range != PO_RANGE_REDUCED || po_request_check(request) ||
+      po_reduced_applies(request))
+    return PO_OK;
+  return po_fail(PO_BAD_INPUT,
+                 "range is reduced: expected auto or exact, but for the pull-off force of an "
+                 "elastic sphere on panels under an attraction with the exponent 3, without a "
+                 "spring, an approach_start and wants other than theories, and with contact edges "
+                 "of less than %.1g of the shortest wave or the contact, which here are %.2g",
+                 PO_REDUCED_MOST_WIDTH, po_reduced_width(&request->scene));
+}
+
+/* Traces a scene, or solves it with greater ranges of the attraction: if these are chosen, or if
+ * the trace fails as it does where contact edges are very narrow. */
+static po_status attempt_ranges(const po_request *request, po_result *result) {
+  po_status status = range_check(request);
+  if (status)
+    return status;
+  if (po_request_check(request) || !po_reduced_is_chosen(request)) {
+    status = attempt_exact(request, result);
+    if (request->range != PO_RANGE_AUTO || !po_reduced_is_resort(request, status))
+      return status;
+  }
+  char message[sizeof result->reason];
+  snprintf(message, sizeof message, "%s", po_message());
+  po_result reduced;
+  const po_status again = po_reduced_solve(request, attempt_exact, &reduced);
+  const bool taken = !status || !again || ends(again);
+  po_work_add(taken ? &result->work : &reduced.work, taken ? &reduced.work : &result->work);
+  po_result_clear(taken ? result : &reduced);
+  if (!taken) /* the reason of the first failure is the one that helps */
+    return po_fail(status, "%s", message);
+  *result = reduced;
+  return again;
 }
 
 double po_solve_deadline(const po_request *request) {
@@ -205,7 +247,7 @@ static po_status trace_attempts(const po_request *request, po_kept_points *kept,
   po_message_clear();
   po_status status = po_linear_reserve(1);
   if (!status)
-    status = attempt(request, kept, result);
+    status = kept ? attempt(request, kept, result) : attempt_ranges(request, result);
   result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
   return status;
 }

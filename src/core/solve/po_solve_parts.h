@@ -43,6 +43,12 @@ typedef struct {
 po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kept,
                    po_result *result);
 
+/* Ratio of the error of the pull-off force to its tolerance above which a solve fails. */
+extern const double PO_MOST_EXCESS;
+
+/* Adds work to other work. */
+void po_work_add(const po_work *more, po_work *work);
+
 /* The processor time (po_clock_thread) at which the solve of a request gives up; INFINITY: no
  * limit. */
 double po_solve_deadline(const po_request *request);

@@ -135,7 +135,9 @@ static bool set_name(po_request *request, po_key key, const char *text) {
     return with_radius(request, po_profile_use_file(&request->scene.profile, text) == PO_OK);
   if (key == PO_KEY_WAVES)
     return po_scene_set_waves(&request->scene, text);
-  const char *const *names = key == PO_KEY_SCHEME ? PO_SCHEMES : PO_GRADINGS;
+  const char *const *names = key == PO_KEY_SCHEME    ? PO_SCHEMES
+                             : key == PO_KEY_GRADING ? PO_GRADINGS
+                                                     : PO_RANGES;
   int found = 0;
   while (names[found] && strcmp(names[found], text) != 0)
     ++found;
@@ -143,8 +145,10 @@ static bool set_name(po_request *request, po_key key, const char *text) {
     return false;
   if (key == PO_KEY_SCHEME)
     request->mesh.scheme = (po_scheme)found;
-  else
+  else if (key == PO_KEY_GRADING)
     request->mesh.grading = (po_grading)found;
+  else
+    request->range = (po_range_choice)found;
   return true;
 }
 
@@ -255,6 +259,8 @@ double po_key_number(const po_request *request, po_key key) {
     return (double)po_profile_index(&request->scene.profile);
   if (key == PO_KEY_WAVES)
     return (double)po_scene_waves(&request->scene);
+  if (key == PO_KEY_RANGE)
+    return (double)request->range;
   return key == PO_KEY_SCHEME ? (double)request->mesh.scheme : (double)request->mesh.grading;
 }
 

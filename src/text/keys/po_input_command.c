@@ -34,6 +34,8 @@ void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_L
     name = PO_SCHEMES[request->mesh.scheme];
   else if (key == PO_KEY_GRADING)
     name = PO_GRADINGS[request->mesh.grading];
+  else if (key == PO_KEY_RANGE)
+    name = PO_RANGES[request->range];
   if (name)
     snprintf(text, PO_KEY_TEXT_LENGTH, "%s", name);
   else if (key == PO_KEY_WAVES)
@@ -63,6 +65,8 @@ bool po_key_is_idle(const po_request *request, po_key key) {
     return sphere || po_profile_is_table(&scene->profile);
   case PO_KEY_PROFILE_FILE:
     return !po_profile_is_table(&scene->profile);
+  case PO_KEY_RANGE:
+    return request->range == PO_RANGE_AUTO;
   case PO_KEY_TABLE_SCALE:
     return !po_profile_is_table(&scene->profile) || po_key_number(request, key) == 1.0;
   default:

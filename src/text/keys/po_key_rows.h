@@ -84,6 +84,9 @@
   X(STIFFNESS, "stiffness", POSITIVE, STIFFNESS, TRACE, PLACE(stiffness), CONSTANT, SPRING, "K", \
     HELP("stiffness of a spring through which the body is moved, in pi w R/epsilon: --want hysteresis and preload " \
          "then have the loop and the staircase through the spring, too (default: none)")) \
+  X(RANGE, "range", WORDS("auto, exact or reduced"), NUMBER, TRACE, NO_PLACE, CONSTANT, SERIES, "NAME", \
+    HELP("range of the attraction with which a pull-off is found: exact, the true one; reduced, several greater " \
+         "ones and their limit; auto, the latter where contact edges are very narrow or the solve fails (default auto)")) \
   X(TIME_LIMIT, "time_limit", POSITIVE, NUMBER, TRACE, PLACE(time_limit), CONSTANT, SERIES, "S", \
     HELP("processor time after which a solve is stopped, in seconds (default: no limit)"))
 

@@ -1,0 +1,409 @@
+#include "po_reduced.h"
+
+#include <math.h>
+
+#include "po_elementary.h"
+#include "po_initial_gap.h"
+#include "po_load_unit.h"
+#include "po_rigid.h"
+#include "po_solve_parts.h"
+
+/* Width of an edge, as po_reduced_width, with the greatest and the least range that is solved. Half
+ * the width changes the force by about as much of it; at the least one the extrapolated force of
+ * all scenes tried was right to 1e-8. */
+#define WIDEST 1e-2
+static const double NARROWEST = 1e-5;
+
+/* The first and the last of five ranges differ by 4, their widths by 16. */
+const double PO_REDUCED_MOST_WIDTH = WIDEST / 16.0;
+
+/* Below this width a scene is solved so without being asked, over the square root of the tolerance:
+ * the least range that is solved is then at least three times the true one. A smooth sphere is
+ * solved faster with the true range above CHOSEN_SMOOTH. */
+static const double CHOSEN = 6e-3, CHOSEN_SMOOTH = 1e-6;
+
+/* The range decreases by this factor from solve to solve. */
+static const double STEP = M_SQRT2;
+
+/* The tolerance of the solves relative to that of the request: the extrapolation multiplies their
+ * errors by up to 28. */
+static const double OF_TOLERANCE = 0.03;
+
+/* Part of the tolerance at which the extrapolated force is accurate enough. */
+static const double ENOUGH = 0.5;
+
+/* Beyond these errors the limit of a special point or a preload is not stated: of the load,
+ * relative to the tolerance times the pull-off force; of the approach, to a^2/R at pull-off. */
+static const double MOST_OF_POINT = 10.0, CLOSE = 1e-3;
+
+/* TERMS of F(s), from as many solves; the error is the difference from one term less. FAILURES
+ * solves in a row may fail. */
+enum { TERMS = 5, FAILURES = 4 };
+
+double po_reduced_width(const po_scene *scene) {
+  const double length = po_scene_is_wavy(scene) ? po_initial_gap_detail(scene) : INFINITY;
+  return 1.0 / (po_scene_coupling(scene) * fmin(length, po_scene_gamma(scene)));
+}
+
+bool po_reduced_applies(const po_request *request) {
+  const po_scene *scene = &request->scene;
+  return request->mesh.scheme == PO_PANEL && !po_rigid_suffices(scene) &&
+         po_profile_is_sphere(&scene->profile) && po_law_numbers_of(&scene->law)->exponent == 3.0 &&
+         !(request->want & ~(unsigned)PO_WANT_THEORIES) && isnan(request->stiffness) &&
+         isnan(request->approach_start) && isnan(request->profile_approach) && !request->show &&
+         po_reduced_width(scene) < PO_REDUCED_MOST_WIDTH;
+}
+
+bool po_reduced_is_chosen(const po_request *request) {
+  const double chosen =
+      po_scene_is_wavy(&request->scene) ? CHOSEN * sqrt(request->mesh.tolerance) : CHOSEN_SMOOTH;
+  return po_reduced_applies(request) &&
+         (request->range == PO_RANGE_REDUCED ||
+          (request->range == PO_RANGE_AUTO && po_reduced_width(&request->scene) < chosen));
+}
+
+bool po_reduced_is_resort(const po_request *request, po_status status) {
+  const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_OUT_OF_NODES ||
+                     status == PO_NOT_CONVERGED || status == PO_TOO_MANY_POINTS;
+  return stuck && po_reduced_applies(request);
+}
+
+/* The request with a range `s` times as great: every length in units of eps is so much smaller, and
+ * so is the Tabor parameter; loads in pi w R are the same. */
+static po_request with_range(const po_request *request, double s) {
+  po_request r = *request;
+  r.scene.tabor /= s;
+  r.scene.radius /= s;
+  r.scene.outer_radius /= s;
+  r.scene.amplitude /= s;
+  r.scene.wavelength /= s;
+  for (size_t k = 0; k < r.scene.more_waves; ++k) {
+    r.scene.more[k].amplitude /= s;
+    r.scene.more[k].length /= s;
+  }
+  r.preload.approach /= s;
+  r.approach_end /= s;
+  r.range = PO_RANGE_EXACT;
+  r.mesh.tolerance = fmax(OF_TOLERANCE * r.mesh.tolerance, PO_LEAST_TOLERANCE);
+  return r;
+}
+
+po_request po_reduced_narrowest(const po_request *request) {
+  const double s = sqrt(NARROWEST / po_reduced_width(&request->scene));
+  return with_range(request, fmax(1.0, s));
+}
+
+/* -- Extrapolation -- */
+
+/* The solves: their ranges, decreasing, and results; the last TERMS of them. */
+typedef struct {
+  double range[TERMS];
+  po_result result[TERMS];
+  int count;
+} solves;
+
+/* The weights of values at the ranges, of which the sum is F(1). Given: the number of terms, and as
+ * many values, the last ones. The unknowns are eliminated without pivots, of which none is small:
+ * ranges differ by STEP or more. */
+static void weights_of(const solves *s, int terms, double weight[TERMS]) {
+  const int first = TERMS - terms;
+  double a[TERMS][TERMS + 1];
+  const double unit = s->range[TERMS - 1];
+  for (int k = 0; k <= terms; ++k) {
+    const double x = (k < terms ? s->range[first + k] : 1.0) / unit, l = po_log(x);
+    const double term[TERMS] = {1.0, x * x, x * x * l, x * x * x, x * x * x * l};
+    for (int t = 0; t < terms; ++t)
+      a[t][k] = term[t];
+  }
+  for (int k = 0; k < terms; ++k)
+    for (int t = 0; t < terms; ++t) {
+      if (t == k)
+        continue;
+      const double factor = a[t][k] / a[k][k];
+      for (int j = k; j <= terms; ++j)
+        a[t][j] -= factor * a[k][j];
+    }
+  for (int k = 0; k < TERMS; ++k)
+    weight[k] = k < first ? 0.0 : a[k - first][terms] / a[k - first][k - first];
+}
+
+/* A number of the results at the true range. */
+typedef struct {
+  double weight[TERMS], fewer[TERMS]; /* of all terms, and of one less */
+} limit;
+
+static limit limit_of(const solves *s) {
+  limit l;
+  weights_of(s, TERMS, l.weight);
+  weights_of(s, TERMS - 1, l.fewer);
+  return l;
+}
+
+/* Given: values and their errors, in units of the result that is extrapolated. Returned: *error. */
+static double at_limit(const limit *l, const double value[TERMS], const double error[TERMS],
+                       double *bound) {
+  double sum = 0.0, fewer = 0.0, noise = 0.0;
+  for (int k = 0; k < TERMS; ++k) {
+    sum += l->weight[k] * value[k];
+    fewer += l->fewer[k] * value[k];
+    noise += fabs(l->weight[k]) * error[k];
+  }
+  *bound = fabs(sum - fewer) + noise;
+  return sum;
+}
+
+/* -- Results at the true range -- */
+
+/* Gathers a member of every result. */
+#define GATHER(member)                                                                             \
+  {                                                                                                \
+    s->result[0].member, s->result[1].member, s->result[2].member, s->result[3].member,            \
+        s->result[4].member                                                                        \
+  }
+_Static_assert(TERMS == 5, "GATHER has five results");
+
+/* Sets a member and its error to the limit. */
+#define TO_LIMIT(member, error_member)                                                             \
+  do {                                                                                             \
+    const double values[] = GATHER(member), errors[] = GATHER(error_member);                       \
+    o->member = at_limit(l, values, errors, &o->error_member);                                     \
+  } while (false)
+
+static void limit_of_pull_off(const solves *s, const limit *l, po_result *o) {
+  static const double none[TERMS] = {0.0};
+  double ignored;
+  TO_LIMIT(pull_off.force, pull_off.force_error);
+  TO_LIMIT(pull_off.approach, pull_off.approach_error);
+  TO_LIMIT(pull_off.contact_radius, pull_off.contact_radius_error);
+  if (o->pull_off.has_sensitivity) {
+    const double tabor[] = GATHER(pull_off.sensitivity.tabor),
+                 radius[] = GATHER(pull_off.sensitivity.radius),
+                 amplitude[] = GATHER(pull_off.sensitivity.amplitude),
+                 wavelength[] = GATHER(pull_off.sensitivity.wavelength);
+    o->pull_off.sensitivity.tabor = at_limit(l, tabor, none, &ignored);
+    o->pull_off.sensitivity.radius = at_limit(l, radius, none, &ignored);
+    o->pull_off.sensitivity.amplitude = at_limit(l, amplitude, none, &ignored);
+    o->pull_off.sensitivity.wavelength = at_limit(l, wavelength, none, &ignored);
+  }
+}
+
+/* The greatest pull-off of all preloads is known if it is in every result, and the same pull-off in
+ * all or in none. */
+static void limit_of_any(const solves *s, const limit *l, po_result *o) {
+  bool known = true, same = true;
+  for (int k = 0; k < TERMS; ++k) {
+    const po_result *r = &s->result[k];
+    known =
+        known && r->pull_off_any.is_known && r->pull_off_any.complete == o->pull_off_any.complete;
+    same = same && r->pull_off_any.force == r->pull_off.force;
+  }
+  o->pull_off_any.is_known = known;
+  if (same) {
+    o->pull_off_any.force = o->pull_off.force;
+    o->pull_off_any.force_error = o->pull_off.force_error;
+    o->pull_off_any.approach = o->pull_off.approach;
+    o->pull_off_any.approach_error = o->pull_off.approach_error;
+  } else if (known) {
+    TO_LIMIT(pull_off_any.force, pull_off_any.force_error);
+    TO_LIMIT(pull_off_any.approach, pull_off_any.approach_error);
+  }
+}
+
+/* The greatest errors of loads and approaches of which the limit is called known, pi w R and eps.
+ */
+typedef struct {
+  double load, approach;
+} known;
+
+/* Replaces a special point by its limit. Given: the same one of every result. Returned: whether the
+ * limit is known. That of a jump into contact from afar, of which the place depends on the range,
+ * is not. */
+static bool limit_of_point(const po_special_point *const of[TERMS], const limit *l,
+                           const known *most, po_special_point *to) {
+  double load[TERMS], approach[TERMS], radius[TERMS], energy[TERMS], errors[4][TERMS];
+  for (int k = 0; k < TERMS; ++k) {
+    if (of[k]->kind != to->kind)
+      return false;
+    load[k] = of[k]->load;
+    approach[k] = of[k]->approach;
+    radius[k] = of[k]->contact_radius;
+    energy[k] = of[k]->energy;
+    errors[0][k] = of[k]->load_error;
+    errors[1][k] = of[k]->approach_error;
+    errors[2][k] = of[k]->contact_radius_error;
+    errors[3][k] = of[k]->energy_error;
+  }
+  to->load = at_limit(l, load, errors[0], &to->load_error);
+  to->approach = at_limit(l, approach, errors[1], &to->approach_error);
+  to->contact_radius = at_limit(l, radius, errors[2], &to->contact_radius_error);
+  to->energy = at_limit(l, energy, errors[3], &to->energy_error);
+  return to->load_error <= most->load && to->approach_error <= most->approach;
+}
+
+/* Replaces the special points of a list of the last result by their limits, and leaves out those of
+ * which the limit is not known. Given: the list of each result. The points are counted from the
+ * ends of the lists: the range changes how many there are where the bodies jump into contact from
+ * afar. Returned: the number of points left. */
+static size_t limit_of_points(const po_special_point *const list[TERMS], const size_t count[TERMS],
+                              const limit *l, const known *most, po_special_point *to) {
+  size_t left = 0;
+  size_t least = count[0];
+  for (int k = 1; k < TERMS; ++k)
+    least = count[k] < least ? count[k] : least;
+  for (size_t back = least; back > 0; --back) {
+    const po_special_point *of[TERMS];
+    for (int k = 0; k < TERMS; ++k)
+      of[k] = &list[k][count[k] - back];
+    po_special_point point = *of[TERMS - 1];
+    if (limit_of_point(of, l, most, &point))
+      to[left++] = point;
+  }
+  return left;
+}
+
+/* A preload at the true range; NAN if its limit is not known. */
+static void limit_of_preload(const limit *l, const known *most, const po_preload of[TERMS],
+                             po_preload *to) {
+  static const double none[TERMS] = {0.0};
+  double approach[TERMS], load[TERMS], error;
+  for (int k = 0; k < TERMS; ++k) {
+    approach[k] = of[k].approach;
+    load[k] = of[k].load;
+  }
+  to->load = at_limit(l, load, none, &error);
+  to->approach = at_limit(l, approach, none, &error);
+  if (!(error <= most->approach))
+    *to = (po_preload){NAN, NAN};
+}
+
+/* The result at the true range, in place of the last result. */
+static void to_limit(solves *s, const po_request *request) {
+  po_result *o = &s->result[TERMS - 1];
+  const limit l = limit_of(s);
+  const double before = o->pull_off.force;
+  const po_special_point *const folds[] = GATHER(folds), *const extrema[] = GATHER(extrema);
+  const size_t fold_count[] = GATHER(fold_count), extremum_count[] = GATHER(extremum_count);
+  o->range.is_reduced = true;
+  o->range.least = s->range[TERMS - 1];
+  o->range.greatest = s->range[0];
+  limit_of_pull_off(s, &l, o);
+  limit_of_any(s, &l, o);
+  o->range.change = o->pull_off.force - before;
+  const double radius = o->pull_off.contact_radius, scale = request->scene.radius;
+  const known most = {MOST_OF_POINT * request->mesh.tolerance * o->pull_off.force,
+                      CLOSE * radius * radius / scale};
+  o->fold_count = limit_of_points(folds, fold_count, &l, &most, o->folds);
+  o->extremum_count = limit_of_points(extrema, extremum_count, &l, &most, o->extrema);
+  limit_of_preload(&l, &most, (const po_preload[])GATHER(pull_off.pressed), &o->pull_off.pressed);
+  limit_of_preload(&l, &most, (const po_preload[])GATHER(pull_off.until), &o->pull_off.until);
+  limit_of_preload(&l, &most, (const po_preload[])GATHER(pull_off_any.pressed),
+                   &o->pull_off_any.pressed);
+}
+
+/* The error of the extrapolated force over the tolerance times the force; INFINITY if there are too
+ * few results. */
+static double excess_of(const solves *s, double tolerance) {
+  if (s->count < TERMS)
+    return INFINITY;
+  const limit l = limit_of(s);
+  const double force[] = GATHER(pull_off.force), errors[] = GATHER(pull_off.force_error);
+  double error;
+  const double value = at_limit(&l, force, errors, &error);
+  return error / (tolerance * fabs(value));
+}
+
+/* -- The solves -- */
+
+/* Adds a result, the oldest one going. */
+static void add_result(solves *s, double range, const po_result *result) {
+  po_result_clear(&s->result[0]);
+  for (int k = 1; k < TERMS; ++k) {
+    s->range[k - 1] = s->range[k];
+    s->result[k - 1] = s->result[k];
+  }
+  s->range[TERMS - 1] = range;
+  s->result[TERMS - 1] = *result;
+  ++s->count;
+}
+
+/* The watcher of a request, whose approaches are in its own units. */
+typedef struct {
+  const po_request *request;
+  double range;
+} watcher;
+
+static void watch_scaled(void *of, double approach, double load) {
+  const watcher *w = of;
+  w->request->watch(w->request->watcher, approach * w->range, load);
+}
+
+static po_status solve_one(const po_request *request, double range, po_reduced_solver *solve,
+                           po_result *result) {
+  po_request r = with_range(request, range);
+  watcher w = {request, range};
+  if (r.watch) {
+    r.watch = watch_scaled;
+    r.watcher = &w;
+  }
+  const po_status status = solve(&r, result);
+  po_load_unit_lengthen(result, range);
+  return status;
+}
+
+static bool ends(po_status status) {
+  return status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME ||
+         status == PO_BAD_INPUT;
+}
+
+/* Fails because the error stays above the tolerance. */
+static po_status inaccurate(const po_request *request, const po_result *o, double excess) {
+  const double unit = po_scene_load_unit(&request->scene);
+  return po_fail(PO_NOT_CONVERGED,
+                 "the pull-off force with ranges of the attraction %.3g to %.3g times as great "
+                 "leads to %.6g with an error of %.2g, %.2g times the tolerance: expected a "
+                 "larger tolerance",
+                 o->range.least, o->range.greatest, o->pull_off.force * unit,
+                 o->pull_off.force_error * unit, excess);
+}
+
+po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, po_result *result) {
+  const double width = po_reduced_width(&request->scene), tolerance = request->mesh.tolerance;
+  solves s = {.count = 0};
+  po_work work = {0};
+  po_status status = PO_OK;
+  double excess = INFINITY;
+  int failures = 0;
+  for (int k = 0; k < TERMS; ++k)
+    s.result[k] = po_result_none();
+  *result = po_result_none();
+  for (double range = sqrt(WIDEST / width);
+       range > 1.0 && width * range * range > NARROWEST && !(excess <= ENOUGH); range /= STEP) {
+    po_result one;
+    status = solve_one(request, range, solve, &one);
+    po_work_add(&one.work, &work);
+    failures = status ? failures + 1 : 0;
+    if (status || !one.has_pull_off) {
+      po_result_clear(result);
+      *result = one;
+    } else {
+      add_result(&s, range, &one);
+      excess = excess_of(&s, tolerance);
+    }
+    if (ends(status) || failures >= FAILURES)
+      break;
+  }
+  if (!ends(status) && s.count >= TERMS) {
+    status = PO_OK;
+    po_message_clear();
+    to_limit(&s, request);
+    po_result_clear(result);
+    *result = s.result[TERMS - 1];
+    s.result[TERMS - 1] = po_result_none();
+    if (excess > PO_MOST_EXCESS)
+      status = inaccurate(request, result, excess);
+  }
+  result->work = work;
+  for (int k = 0; k < TERMS; ++k)
+    po_result_clear(&s.result[k]);
+  return status;
+}

@@ -1,0 +1,81 @@
+"""Whether the pull-off by greater ranges of the attraction is that of the true range, within the stated errors.
+
+    python3 tests/estimates/ranges.py build/src/cli/pulloff --count 300 --seed 1
+
+Draws soft wavy spheres: Tabor parameters of 10 to 10^4, R/epsilon of 10^4 to 10^7, wavelengths of 0.13 to 3 sqrt(R mu), A R/lambda^2
+of 0.05 to 5 and preloads of 0.1 to 10 pi w R, all uniform in their logarithm. Each scene is solved with both ranges, and with the
+default if these do not apply. Prints how many were solved, the stated error over the difference, and every violation. With --solved
+only the default is solved, and its times are printed."""
+
+import argparse
+import concurrent.futures
+import json
+import math
+import subprocess
+import sys
+
+from draw import between, uniform
+
+RANGES = {"tabor": (10, 1e4), "radius": (1e4, 1e7), "length": (0.13, 3), "alpha": (0.05, 5), "load": (0.1, 10)}
+
+
+def scene(seed, index):
+    tabor, radius, length, alpha, load = (between(bounds, uniform(seed, index, name)) for name, bounds in RANGES.items())
+    wavelength = float(f"{length * math.sqrt(radius * tabor):.6g}")
+    amplitude = float(f"{alpha * wavelength**2 / radius:.6g}")
+    return {"tabor": tabor, "radius": radius, "amplitude": amplitude, "wavelength": wavelength, "preload-load": load}
+
+
+def solve(program, flags, kind, wanted):
+    words = [word for name, value in {**flags, "range": kind, "tolerance": wanted.tolerance, "time-limit": wanted.time_limit}.items()
+             for word in (f"--{name}", str(value))]
+    return json.loads(subprocess.run([program, "solve", "--json", *words], capture_output=True, text=True, check=False).stdout)
+
+
+def compare(index, flags, exact, reduced):
+    """The stated error over the difference; a line if it is violated."""
+    one, two = exact["pull_off"], reduced["pull_off"]
+    stated = one["error_estimate"] + two["error_estimate"]
+    apart = abs(one["force"] - two["force"])
+    if apart > stated:
+        print(f"scene {index}: {one['force']:.10g} and {two['force']:.10g}, stated {stated:.1e}: {flags}")
+    return stated / max(apart, 1e-16)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--count", type=int, default=300)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--tolerance", type=float, default=1e-4)
+    parser.add_argument("--time-limit", type=float, default=20)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--solved", action="store_true")
+    wanted = parser.parse_args()
+    kinds = ["auto"] if wanted.solved else ["exact", "reduced"]
+    scenes = [scene(wanted.seed, index) for index in range(wanted.count)]
+    with concurrent.futures.ThreadPoolExecutor(wanted.jobs) as pool:
+        found = list(pool.map(lambda flags: [solve(wanted.program, flags, kind, wanted) for kind in kinds], scenes))
+    for kind, results in zip(kinds, zip(*found)):
+        seconds = sorted(document["work"]["seconds"] for document in results)
+        statuses = [document["status"] for document in results]
+        print(f"{kind}: {', '.join(f'{statuses.count(name)} {name}' for name in sorted(set(statuses)))}; "
+              f"{sum('range' in document for document in results)} by greater ranges; seconds: median "
+              f"{seconds[len(seconds) // 2]:.2f}, greatest {seconds[-1]:.1f}")
+    if wanted.solved:
+        for index, (document,) in enumerate(found):
+            if document["status"] != "ok":
+                print(f"scene {index}: {document['reason']}: {scenes[index]}")
+        return 0
+    both = [(index, *pair) for index, pair in enumerate(found) if all(document["status"] == "ok" for document in pair)]
+    factors = sorted(compare(index, scenes[index], *pair) for index, *pair in both)
+    if not factors:
+        print("no scene was solved with both ranges")
+        return 3
+    print(f"{len(factors)} scenes with both ranges, {sum(factor < 1 for factor in factors)} violated; stated over true: least "
+          f"{factors[0]:.2g}, median {factors[len(factors) // 2]:.2g}, greatest {factors[-1]:.2g}")
+    return 1 if factors[0] < 1 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

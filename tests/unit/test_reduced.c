@@ -1,0 +1,161 @@
+/* A pull-off by greater ranges of the attraction: against the true range where both can be solved,
+ * and against the limits of JKR theory where only the greater ones can. */
+#include <math.h>
+#include <string.h>
+
+#include "po_solve.h"
+#include "run.h"
+
+static po_request request_of(double tabor, double radius, double amplitude, double wavelength) {
+  po_request request = po_request_default();
+  request.scene.tabor = tabor;
+  request.scene.radius = radius;
+  request.scene.amplitude = amplitude;
+  request.scene.wavelength = wavelength;
+  request.preload.load = 2.0;
+  request.mesh.tolerance = 1e-5;
+  return request;
+}
+
+/* Tabor parameter, radius, amplitude, wavelength. */
+static const double BOTH[][4] = {{200.0, 1e3, 0.0, 0.0},
+                                 {100.0, 1e4, 30.0, 900.0},
+                                 {200.0, 3e4, 60.0, 2500.0},
+                                 {300.0, 1e5, 50.0, 6000.0}};
+
+START_TEST(agrees_with_the_true_range_within_the_stated_errors) {
+  po_request request = request_of(BOTH[_i][0], BOTH[_i][1], BOTH[_i][2], BOTH[_i][3]);
+  request.range = PO_RANGE_EXACT;
+  po_result exact, reduced;
+  ck_assert_int_eq(po_solve(&request, &exact), PO_OK);
+  request.range = PO_RANGE_REDUCED;
+  ck_assert_int_eq(po_solve(&request, &reduced), PO_OK);
+  ck_assert(!exact.range.is_reduced && reduced.range.is_reduced);
+  ck_assert_double_gt(reduced.range.least, 1.0);
+  ck_assert_double_le(reduced.pull_off.force_error, 1e-5 * reduced.pull_off.force);
+  ck_assert_double_eq_tol(reduced.pull_off.force, exact.pull_off.force,
+                          reduced.pull_off.force_error + exact.pull_off.force_error);
+  ck_assert_double_eq_tol(reduced.pull_off.approach, exact.pull_off.approach,
+                          reduced.pull_off.approach_error + exact.pull_off.approach_error);
+  ck_assert_double_eq_tol(reduced.pull_off.contact_radius, exact.pull_off.contact_radius,
+                          reduced.pull_off.contact_radius_error +
+                              exact.pull_off.contact_radius_error);
+  /* the range matters: without the limit the force would be off by more than the tolerance */
+  ck_assert_double_gt(fabs(reduced.range.change), 1e-5 * reduced.pull_off.force);
+  po_result_clear(&exact);
+  po_result_clear(&reduced);
+}
+END_TEST
+
+/* Every special point that is stated is one of the true range. */
+START_TEST(special_points_are_those_of_the_true_range) {
+  po_request request = request_of(BOTH[1][0], BOTH[1][1], BOTH[1][2], BOTH[1][3]);
+  request.range = PO_RANGE_EXACT;
+  po_result exact, reduced;
+  ck_assert_int_eq(po_solve(&request, &exact), PO_OK);
+  request.range = PO_RANGE_REDUCED;
+  ck_assert_int_eq(po_solve(&request, &reduced), PO_OK);
+  ck_assert_uint_ge(reduced.extremum_count, 1);
+  for (size_t k = 0; k < reduced.extremum_count; ++k) {
+    const po_special_point *p = &reduced.extrema[k];
+    double least = INFINITY;
+    for (size_t i = 0; i < exact.extremum_count; ++i)
+      if (exact.extrema[i].kind == p->kind)
+        least = fmin(least, fabs(exact.extrema[i].load - p->load));
+    ck_assert_double_le(least, p->load_error + exact.pull_off.force_error);
+  }
+  po_result_clear(&exact);
+  po_result_clear(&reduced);
+}
+END_TEST
+
+/* A sphere of centimetres with a range of atoms: JKR theory, whose pull-off is 3/2 at the approach
+ * -(3/4)(pi^2)^(1/3) mu and the contact radius (9 pi/8)^(1/3) sqrt(R mu). */
+START_TEST(smooth_spheres_tend_to_the_jkr_theory) {
+  static const double TABOR[] = {1e4, 1e6, 1e9};
+  const po_request request = request_of(TABOR[_i], 1e9, 0.0, 0.0);
+  po_result o;
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
+  ck_assert(o.range.is_reduced);
+  ck_assert_double_eq_tol(o.pull_off.force, 1.5,
+                          o.pull_off.force_error + 1.0 / (TABOR[_i] * TABOR[_i]));
+  ck_assert_double_eq_tol(o.pull_off.contact_radius, cbrt(9.0 * M_PI / 8.0) * sqrt(1e9 * TABOR[_i]),
+                          o.pull_off.contact_radius_error + 1e-6 * o.pull_off.contact_radius);
+  po_result_clear(&o);
+}
+END_TEST
+
+/* A wavy sphere of R/epsilon = 4e9: ten times as great and ten times as small a range differ by
+ * less than the stated errors. */
+START_TEST(the_range_does_not_matter_where_it_is_small) {
+  double force[2], error[2];
+  for (int k = 0; k < 2; ++k) {
+    const double s = k ? 100.0 : 1.0;
+    const po_request request = request_of(1e5 / s, 4e9 / s, 1e6 / s, 5e7 / s);
+    po_result o;
+    ck_assert_int_eq(po_solve(&request, &o), PO_OK);
+    ck_assert(o.range.is_reduced);
+    force[k] = o.pull_off.force;
+    error[k] = o.pull_off.force_error;
+    ck_assert_double_le(error[k], 1e-5 * force[k]);
+    po_result_clear(&o);
+  }
+  ck_assert_double_eq_tol(force[0], force[1], error[0] + error[1]);
+}
+END_TEST
+
+static void expect_refusal(const po_request *request) {
+  po_result o;
+  ck_assert_int_eq(po_solve(request, &o), PO_BAD_INPUT);
+  ck_assert_ptr_nonnull(strstr(po_message(), "range is reduced: expected auto or exact"));
+  po_result_clear(&o);
+}
+
+START_TEST(refused_where_it_does_not_apply) {
+  const po_request asked = request_of(200.0, 1e3, 0.0, 0.0);
+  po_request request = asked;
+  request.range = PO_RANGE_REDUCED;
+  request.scene.tabor = 3.0; /* wide contact edges */
+  expect_refusal(&request);
+  request.scene.tabor = asked.scene.tabor;
+  request.want = PO_WANT_CURVE;
+  expect_refusal(&request);
+  request.want = 0;
+  request.stiffness = 1.0;
+  expect_refusal(&request);
+  request.stiffness = NAN;
+  ck_assert(po_law_set(&request.scene.law, "mie:4,10"));
+  expect_refusal(&request);
+  request.scene.law = asked.scene.law;
+  ck_assert(po_profile_set(&request.scene.profile, "cone:0.1"));
+  expect_refusal(&request);
+}
+END_TEST
+
+/* The contact edges of this scene change the force by so much that no range gives ten digits. */
+START_TEST(an_error_above_the_tolerance_fails_with_the_error) {
+  po_request request = request_of(60.0, 1e4, 20.0, 900.0);
+  request.range = PO_RANGE_REDUCED;
+  request.mesh.tolerance = 1e-10;
+  po_result o;
+  ck_assert_int_eq(po_solve(&request, &o), PO_NOT_CONVERGED);
+  ck_assert_ptr_nonnull(strstr(o.reason, "times the tolerance: expected a larger tolerance"));
+  ck_assert(o.has_pull_off && o.range.is_reduced);
+  ck_assert_double_gt(o.pull_off.force_error, 1e-9 * o.pull_off.force);
+  po_result_clear(&o);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, agrees_with_the_true_range_within_the_stated_errors, 0,
+                      sizeof BOTH / sizeof *BOTH);
+  tcase_add_test(tests, special_points_are_those_of_the_true_range);
+  tcase_add_loop_test(tests, smooth_spheres_tend_to_the_jkr_theory, 0, 3);
+  tcase_add_test(tests, the_range_does_not_matter_where_it_is_small);
+  tcase_add_test(tests, refused_where_it_does_not_apply);
+  tcase_add_test(tests, an_error_above_the_tolerance_fails_with_the_error);
+}
+
+int main(void) {
+  return run_case("reduced", add);
+}
