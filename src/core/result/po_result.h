@@ -151,7 +151,7 @@ typedef struct {
   struct {           /* of a solve with greater ranges of the attraction, see po_reduced.h */
     bool is_reduced; /* whether it was one; then the special points are those of which the limit is
                         known */
-    double least, greatest; /* the last five ranges, relative to that of the scene */
+    double least, greatest; /* the last six ranges, relative to that of the scene */
     double change; /* of the force from the least range to the true one, / (pi w R) */
   } range;
   po_special_point *folds; /* along the branch */

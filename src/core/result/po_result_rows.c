@@ -251,7 +251,7 @@ static const po_row RESULT[] = {
 
 static const po_row RANGE[] = {
   NUMBER("least", range.least, NONE, "", "", "the least range, relative to that of the scene"),
-  NUMBER("greatest", range.greatest, NONE, "", "", "the greatest of the five ranges from which the limit follows"),
+  NUMBER("greatest", range.greatest, NONE, "", "", "the greatest of the six ranges from which the limit follows"),
   NUMBER("change", range.change, LOAD, "", "", "change of the pull-off force from the least range to the true one; its error is in `error_estimate`"),
 };
 static const po_block RANGE_ROWS = BLOCK("range", RANGE, NULL);

@@ -11,11 +11,11 @@
 /* Width of an edge, as po_reduced_width, with the greatest and the least range that is solved. Half
  * the width changes the force by about as much of it; at the least one the extrapolated force of
  * all scenes tried was right to 1e-8. */
-#define WIDEST 1e-2
+#define WIDEST 4e-2
 static const double NARROWEST = 1e-5;
 
-/* The first and the last of five ranges differ by 4, their widths by 16. */
-const double PO_REDUCED_MOST_WIDTH = WIDEST / 16.0;
+/* The widths of the first and the last of SOLVES ranges differ by this factor, 2^(SOLVES - 1). */
+const double PO_REDUCED_MOST_WIDTH = WIDEST / 32.0;
 
 /* Below this width a scene is solved so without being asked, over the square root of the tolerance:
  * the least range that is solved is then at least three times the true one. A smooth sphere of
@@ -37,9 +37,9 @@ static const double ENOUGH = 0.5;
  * relative to the tolerance times the pull-off force; of the approach, to a^2/R at pull-off. */
 static const double MOST_OF_POINT = 10.0, CLOSE = 1e-3;
 
-/* TERMS of F(s), from as many solves; the error is the difference from one term less. FAILURES
- * solves in a row may fail. */
-enum { TERMS = 5, FAILURES = 4 };
+/* Terms of F(s), found from as many solves; one solve more for the error; and how many solves in a
+ * row may fail. */
+enum { TERMS = 5, SOLVES = TERMS + 1, FAILURES = 4 };
 
 double po_reduced_width(const po_scene *scene) {
   const double length = po_scene_is_wavy(scene) ? po_initial_gap_detail(scene) : INFINITY;
@@ -96,20 +96,19 @@ po_request po_reduced_narrowest(const po_request *request) {
 
 /* -- Extrapolation -- */
 
-/* The solves: their ranges, decreasing, and results; the last TERMS of them. */
+/* The last solves: their ranges, decreasing, and results; and how many there were. */
 typedef struct {
-  double range[TERMS];
-  po_result result[TERMS];
+  double range[SOLVES];
+  po_result result[SOLVES];
   int count;
 } solves;
 
-/* The weights of values at the ranges, of which the sum is F(1). Given: the number of terms, and as
- * many values, the last ones. The unknowns are eliminated without pivots, of which none is small:
+/* The weights of values at the ranges, of which the sum is F(1). Given: the number of terms, and
+ * the first of as many values. The unknowns are eliminated without pivots, of which none is small:
  * ranges differ by STEP or more. */
-static void weights_of(const solves *s, int terms, double weight[TERMS]) {
-  const int first = TERMS - terms;
+static void weights_of(const solves *s, int first, int terms, double weight[SOLVES]) {
   double a[TERMS][TERMS + 1];
-  const double unit = s->range[TERMS - 1];
+  const double unit = s->range[first + terms - 1];
   for (int k = 0; k <= terms; ++k) {
     const double x = (k < terms ? s->range[first + k] : 1.0) / unit, l = po_log(x);
     const double term[TERMS] = {1.0, x * x, x * x * l, x * x * x, x * x * x * l};
@@ -124,32 +123,41 @@ static void weights_of(const solves *s, int terms, double weight[TERMS]) {
       for (int j = k; j <= terms; ++j)
         a[t][j] -= factor * a[k][j];
     }
-  for (int k = 0; k < TERMS; ++k)
-    weight[k] = k < first ? 0.0 : a[k - first][terms] / a[k - first][k - first];
+  for (int k = 0; k < SOLVES; ++k)
+    weight[k] = 0.0;
+  for (int k = 0; k < terms; ++k)
+    weight[first + k] = a[k][terms] / a[k][k];
 }
 
 /* A number of the results at the true range. */
 typedef struct {
-  double weight[TERMS], fewer[TERMS]; /* of all terms, and of one less */
+  /* Weights of the values: of all terms by the last solves, by those before, and with one term
+   * less.
+   */
+  double weight[SOLVES], before[SOLVES], fewer[SOLVES];
 } limit;
 
 static limit limit_of(const solves *s) {
   limit l;
-  weights_of(s, TERMS, l.weight);
-  weights_of(s, TERMS - 1, l.fewer);
+  weights_of(s, SOLVES - TERMS, TERMS, l.weight);
+  weights_of(s, SOLVES - TERMS - 1, TERMS, l.before);
+  weights_of(s, SOLVES - TERMS + 1, TERMS - 1, l.fewer);
   return l;
 }
 
-/* Given: values and their errors, in units of the result that is extrapolated. Returned: *error. */
-static double at_limit(const limit *l, const double value[TERMS], const double error[TERMS],
+/* Returned: the limit of values, and a bound of its error: by half the widths of the edges the
+ * error of the limit falls to half or less, so that it is at most the change by the last solve;
+ * where that change is small by chance, the last term says more. */
+static double at_limit(const limit *l, const double value[SOLVES], const double error[SOLVES],
                        double *bound) {
-  double sum = 0.0, fewer = 0.0, noise = 0.0;
-  for (int k = 0; k < TERMS; ++k) {
+  double sum = 0.0, before = 0.0, fewer = 0.0, noise = 0.0;
+  for (int k = 0; k < SOLVES; ++k) {
     sum += l->weight[k] * value[k];
+    before += l->before[k] * value[k];
     fewer += l->fewer[k] * value[k];
     noise += fabs(l->weight[k]) * error[k];
   }
-  *bound = fabs(sum - fewer) + noise;
+  *bound = fmax(fabs(sum - before), fabs(sum - fewer)) + noise;
   return sum;
 }
 
@@ -159,9 +167,9 @@ static double at_limit(const limit *l, const double value[TERMS], const double e
 #define GATHER(member)                                                                             \
   {                                                                                                \
     s->result[0].member, s->result[1].member, s->result[2].member, s->result[3].member,            \
-        s->result[4].member                                                                        \
+        s->result[4].member, s->result[5].member                                                   \
   }
-_Static_assert(TERMS == 5, "GATHER has five results");
+_Static_assert(SOLVES == 6, "GATHER has six results");
 
 /* Sets a member and its error to the limit. */
 #define TO_LIMIT(member, error_member)                                                             \
@@ -171,7 +179,7 @@ _Static_assert(TERMS == 5, "GATHER has five results");
   } while (false)
 
 static void limit_of_pull_off(const solves *s, const limit *l, po_result *o) {
-  static const double none[TERMS] = {0.0};
+  static const double none[SOLVES] = {0.0};
   double ignored;
   TO_LIMIT(pull_off.force, pull_off.force_error);
   TO_LIMIT(pull_off.approach, pull_off.approach_error);
@@ -192,7 +200,7 @@ static void limit_of_pull_off(const solves *s, const limit *l, po_result *o) {
  * all or in none. */
 static void limit_of_any(const solves *s, const limit *l, po_result *o) {
   bool known = true, same = true;
-  for (int k = 0; k < TERMS; ++k) {
+  for (int k = 0; k < SOLVES; ++k) {
     const po_result *r = &s->result[k];
     known =
         known && r->pull_off_any.is_known && r->pull_off_any.complete == o->pull_off_any.complete;
@@ -219,10 +227,10 @@ typedef struct {
 /* Replaces a special point by its limit. Given: the same one of every result. Returned: whether the
  * limit is known. That of a jump into contact from afar, of which the place depends on the range,
  * is not. */
-static bool limit_of_point(const po_special_point *const of[TERMS], const limit *l,
+static bool limit_of_point(const po_special_point *const of[SOLVES], const limit *l,
                            const known *most, po_special_point *to) {
-  double load[TERMS], approach[TERMS], radius[TERMS], energy[TERMS], errors[4][TERMS];
-  for (int k = 0; k < TERMS; ++k) {
+  double load[SOLVES], approach[SOLVES], radius[SOLVES], energy[SOLVES], errors[4][SOLVES];
+  for (int k = 0; k < SOLVES; ++k) {
     if (of[k]->kind != to->kind)
       return false;
     load[k] = of[k]->load;
@@ -245,17 +253,18 @@ static bool limit_of_point(const po_special_point *const of[TERMS], const limit 
  * which the limit is not known. Given: the list of each result. The points are counted from the
  * ends of the lists: the range changes how many there are where the bodies jump into contact from
  * afar. Returned: the number of points left. */
-static size_t limit_of_points(const po_special_point *const list[TERMS], const size_t count[TERMS],
-                              const limit *l, const known *most, po_special_point *to) {
+static size_t limit_of_points(const po_special_point *const list[SOLVES],
+                              const size_t count[SOLVES], const limit *l, const known *most,
+                              po_special_point *to) {
   size_t left = 0;
   size_t least = count[0];
-  for (int k = 1; k < TERMS; ++k)
+  for (int k = 1; k < SOLVES; ++k)
     least = count[k] < least ? count[k] : least;
   for (size_t back = least; back > 0; --back) {
-    const po_special_point *of[TERMS];
-    for (int k = 0; k < TERMS; ++k)
+    const po_special_point *of[SOLVES];
+    for (int k = 0; k < SOLVES; ++k)
       of[k] = &list[k][count[k] - back];
-    po_special_point point = *of[TERMS - 1];
+    po_special_point point = *of[SOLVES - 1];
     if (limit_of_point(of, l, most, &point))
       to[left++] = point;
   }
@@ -263,11 +272,11 @@ static size_t limit_of_points(const po_special_point *const list[TERMS], const s
 }
 
 /* A preload at the true range; NAN if its limit is not known. */
-static void limit_of_preload(const limit *l, const known *most, const po_preload of[TERMS],
+static void limit_of_preload(const limit *l, const known *most, const po_preload of[SOLVES],
                              po_preload *to) {
-  static const double none[TERMS] = {0.0};
-  double approach[TERMS], load[TERMS], error;
-  for (int k = 0; k < TERMS; ++k) {
+  static const double none[SOLVES] = {0.0};
+  double approach[SOLVES], load[SOLVES], error;
+  for (int k = 0; k < SOLVES; ++k) {
     approach[k] = of[k].approach;
     load[k] = of[k].load;
   }
@@ -279,13 +288,13 @@ static void limit_of_preload(const limit *l, const known *most, const po_preload
 
 /* The result at the true range, in place of the last result. */
 static void to_limit(solves *s, const po_request *request) {
-  po_result *o = &s->result[TERMS - 1];
+  po_result *o = &s->result[SOLVES - 1];
   const limit l = limit_of(s);
   const double before = o->pull_off.force;
   const po_special_point *const folds[] = GATHER(folds), *const extrema[] = GATHER(extrema);
   const size_t fold_count[] = GATHER(fold_count), extremum_count[] = GATHER(extremum_count);
   o->range.is_reduced = true;
-  o->range.least = s->range[TERMS - 1];
+  o->range.least = s->range[SOLVES - 1];
   o->range.greatest = s->range[0];
   limit_of_pull_off(s, &l, o);
   limit_of_any(s, &l, o);
@@ -304,7 +313,7 @@ static void to_limit(solves *s, const po_request *request) {
 /* The error of the extrapolated force over the tolerance times the force; INFINITY if there are too
  * few results. */
 static double excess_of(const solves *s, double tolerance) {
-  if (s->count < TERMS)
+  if (s->count < SOLVES)
     return INFINITY;
   const limit l = limit_of(s);
   const double force[] = GATHER(pull_off.force), errors[] = GATHER(pull_off.force_error);
@@ -318,12 +327,12 @@ static double excess_of(const solves *s, double tolerance) {
 /* Adds a result, the oldest one going. */
 static void add_result(solves *s, double range, const po_result *result) {
   po_result_clear(&s->result[0]);
-  for (int k = 1; k < TERMS; ++k) {
+  for (int k = 1; k < SOLVES; ++k) {
     s->range[k - 1] = s->range[k];
     s->result[k - 1] = s->result[k];
   }
-  s->range[TERMS - 1] = range;
-  s->result[TERMS - 1] = *result;
+  s->range[SOLVES - 1] = range;
+  s->result[SOLVES - 1] = *result;
   ++s->count;
 }
 
@@ -374,7 +383,7 @@ po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, 
   po_status status = PO_OK;
   double excess = INFINITY;
   int failures = 0;
-  for (int k = 0; k < TERMS; ++k)
+  for (int k = 0; k < SOLVES; ++k)
     s.result[k] = po_result_none();
   *result = po_result_none();
   for (double range = sqrt(WIDEST / width);
@@ -393,18 +402,18 @@ po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, 
     if (ends(status) || failures >= FAILURES)
       break;
   }
-  if (!ends(status) && s.count >= TERMS) {
+  if (!ends(status) && s.count >= SOLVES) {
     status = PO_OK;
     po_message_clear();
     to_limit(&s, request);
     po_result_clear(result);
-    *result = s.result[TERMS - 1];
-    s.result[TERMS - 1] = po_result_none();
+    *result = s.result[SOLVES - 1];
+    s.result[SOLVES - 1] = po_result_none();
     if (excess > PO_MOST_EXCESS)
       status = inaccurate(request, result, excess);
   }
   result->work = work;
-  for (int k = 0; k < TERMS; ++k)
+  for (int k = 0; k < SOLVES; ++k)
     po_result_clear(&s.result[k]);
   return status;
 }
