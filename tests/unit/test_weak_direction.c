@@ -12,6 +12,7 @@
 #include "po_load_unit.h"
 #include "po_memory.h"
 #include "po_scales.h"
+#include "po_solve.h"
 #include "po_solve_parts.h"
 #include "run.h"
 
@@ -197,9 +198,28 @@ START_TEST(extrema_below_the_error_of_solutions_are_not_sought) {
 }
 END_TEST
 
+/* An annulus that has just formed moves freely where the edges are not yet narrow: steps had become
+ * as short as 1e-9 at approach -34.8341, and the solve failed. */
+START_TEST(a_new_annulus_between_wider_edges_is_followed) {
+  po_request request = po_request_default();
+  request.scene.tabor = 24.6766;
+  request.scene.radius = 1191.95;
+  request.scene.amplitude = 33.9104;
+  request.scene.wavelength = 281.645;
+  request.preload.load = 0.89;
+  request.mesh.tolerance = 1e-4;
+  request.range = PO_RANGE_EXACT;
+  po_result o;
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(o.pull_off.force, 5.2293557, 1e-7 + o.pull_off.force_error);
+  po_result_clear(&o);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, a_ring_of_tension_that_moves_freely_is_followed);
   tcase_add_test(tests, a_narrow_annulus_of_contact_is_followed);
+  tcase_add_test(tests, a_new_annulus_between_wider_edges_is_followed);
   tcase_add_test(tests, extrema_below_the_error_of_solutions_are_not_sought);
 }
 

@@ -8,6 +8,8 @@
 #include "po_prediction.h"
 #include "po_special_point.h"
 
+enum { PO_REFUSALS = 5 };
+
 struct po_continuation {
   po_corrector c;
   po_continuation_options options;
@@ -23,8 +25,9 @@ struct po_continuation {
   double first_approach, farthest; /* approach and least gap at the first point */
   int unstable_modes;
   double edge_share; /* the weight that suits the outermost contact edge (arclength_share) */
-  double deepest; /* deepest minimum of the load so far */
+  double deepest;    /* deepest minimum of the load so far */
   size_t points;
+  int refused[PO_REFUSALS]; /* attempts at short steps that were refused, by their reasons */
 };
 
 /* Whether the mesh is of panels, which move with the contact. */

@@ -1,5 +1,7 @@
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "po_continuation_parts.h"
 #include "po_elementary.h"
@@ -158,11 +160,33 @@ static bool settle(po_continuation *t, double step) {
 
 /* -- One step -- */
 
+/* Why an attempt at a step was refused. */
+typedef enum {
+  UNSOLVED,  /* no equilibrium was found */
+  FAR_OFF,   /* the prediction was off by more than the greatest error */
+  TURNED,    /* the branch turned by too large an angle */
+  BENT,      /* the curve between the ends is not interpolated as accurately as required */
+  UNLOCATED, /* a special point between the ends was not located */
+  REASONS
+} refusal;
+_Static_assert(REASONS == PO_REFUSALS, "po_continuation counts them");
+
+/* Attempts are counted since the last step longer than this. */
+static const double SHORT = 1e-3;
+
+static const char *const REFUSALS[REASONS] = {
+    [UNSOLVED] = "no equilibrium was found",
+    [FAR_OFF] = "the prediction was too far off",
+    [TURNED] = "the branch turned too far",
+    [BENT] = "the curve between its ends was not accurate enough",
+    [UNLOCATED] = "a special point was not located"};
+
 /* One attempt at a step. */
 typedef struct {
-  double step; /* length of the attempt, at most the one given */
-  double next; /* length of the next attempt, or of the next step */
-  bool met;    /* an equilibrium was found */
+  double step;    /* length of the attempt, at most the one given */
+  double next;    /* length of the next attempt, or of the next step */
+  bool met;       /* an equilibrium was found */
+  refusal reason; /* of an attempt that was refused */
 } attempt;
 
 static double greatest_error(const po_continuation *t) {
@@ -303,6 +327,7 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
                                 AIMED_ERROR, &p);
   a->next = 0.5 * a->step;
   a->met = false;
+  a->reason = UNSOLVED;
   if (!(a->step > 0.0))
     return PO_NOT_CONVERGED;
   double error;
@@ -315,15 +340,19 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
     return status;
   a->met = true;
   t->next.position = t->current.position + po_solution_way(&t->current, &t->next);
-  if (error > greatest_error(t) || po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
+  const bool far_off = error > greatest_error(t);
+  if (far_off || po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
+    a->reason = far_off ? FAR_OFF : TURNED;
     a->next = a->step * fmax(0.25, fmin(0.7, sqrt(sqrt(AIMED_ERROR / error))));
     return PO_NOT_CONVERGED;
   }
   const double joined = JOIN_MARGIN * joined_for(t);
   if (joined < JOIN_MARGIN) {
+    a->reason = BENT;
     a->next = a->step * fmax(0.25, joined);
     return PO_NOT_CONVERGED;
   }
+  a->reason = UNLOCATED;
   status = find_events(t);
   if (!status)
     status = po_corrector_want_mesh(&t->c, &t->next);
@@ -332,15 +361,33 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
   return status;
 }
 
+/* Fails with the reasons for which the last attempts were refused, the most frequent first. */
+static po_status stuck(const po_continuation *t) {
+  char why[300] = "";
+  int left[REASONS], all = 0;
+  for (int r = 0; r < REASONS; ++r)
+    all += left[r] = t->refused[r];
+  for (size_t length = 0;;) {
+    int most = 0;
+    for (int r = 1; r < REASONS; ++r)
+      most = left[r] > left[most] ? r : most;
+    if (left[most] == 0 || length >= sizeof why)
+      break;
+    length += (size_t)snprintf(why + length, sizeof why - length, "%s %s (%d of %d attempts)",
+                               length ? "," : ":", REFUSALS[most], left[most], all);
+    left[most] = 0;
+  }
+  return po_fail(PO_STEP_TOO_SMALL,
+                 "the continuation failed with the shortest step at approach %.6g, load %.6g%s",
+                 po_solution_approach(&t->current),
+                 t->current.load * po_scene_load_unit(t->c.e->scene), why);
+}
+
 po_status po_continuation_advance(po_continuation *t) {
   bool settled = false;
   for (;;) {
     if (t->step < PO_LOCATED)
-      return po_fail(PO_STEP_TOO_SMALL,
-                     "the continuation failed with the shortest step at approach %.6g, "
-                     "load %.6g",
-                     po_solution_approach(&t->current),
-                     t->current.load * po_scene_load_unit(t->c.e->scene));
+      return stuck(t);
     attempt a;
     const po_status status = try_step(t, t->step, &a);
     t->step = a.next;
@@ -350,7 +397,10 @@ po_status po_continuation_advance(po_continuation *t) {
       return t->c.trouble;
     if (!a.met && !settled)
       settled = settle(t, a.step);
+    if (!status && a.step > SHORT)
+      memset(t->refused, 0, sizeof t->refused);
     if (!status)
       return PO_OK;
+    ++t->refused[a.reason];
   }
 }

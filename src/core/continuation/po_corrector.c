@@ -176,11 +176,15 @@ static po_status factorize_at(po_corrector *c, const po_solution *from, const do
   return status;
 }
 
-/* Lets linear systems be solved by GMRES from now on, if that may help: on panels with narrow
- * contact edges of a wavy scene, where an annulus may form. Returned: whether they were not before.
- */
-static bool turn_to_krylov(po_equilibrium *e) {
-  if (!e->elimination || !e->narrow || e->by_krylov || po_scene_is_simple(e->scene))
+/* A step so short that the factors, not its length, are probably why it fails. */
+static const double SHORT = 1e-4;
+
+/* Lets linear systems be solved by GMRES from now on, if that may help: on panels of a wavy scene,
+ * where an annulus may form, with narrow contact edges or after the step has become short. Given:
+ * the length of the step. Returned: whether they were not before. */
+static bool turn_to_krylov(po_equilibrium *e, double step) {
+  if (!e->elimination || e->by_krylov || po_scene_is_simple(e->scene) ||
+      !(e->narrow || fabs(step) < SHORT))
     return false;
   e->by_krylov = true;
   return true;
@@ -195,8 +199,9 @@ static po_status correct(po_corrector *c, const po_solution *from, double distan
   const po_constraint constraint = {functional_progress, &along, distance, c->farthest};
   const double greatest = fmin(NEAR, c->farthest);
   po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
-  for (int k = 0; status && c->e->last_change < greatest &&
-                  (k < MOST_RENEWALS || (status == PO_NOT_CONVERGED && turn_to_krylov(c->e)));
+  for (int k = 0;
+       status && c->e->last_change < greatest &&
+       (k < MOST_RENEWALS || (status == PO_NOT_CONVERGED && turn_to_krylov(c->e, distance)));
        ++k) {
     if (factorize_at(c, from, out->state))
       return PO_NOT_CONVERGED;
@@ -228,7 +233,7 @@ po_status po_corrector_solve(po_corrector *c, const po_solution *from, double di
     status = correct(c, from, distance, out);
     if (!status) {
       status = find_tangent(c, from, precision, out);
-      if (status == PO_NOT_CONVERGED && turn_to_krylov(c->e))
+      if (status == PO_NOT_CONVERGED && turn_to_krylov(c->e, distance))
         status = find_tangent(c, from, precision, out);
     }
   }
