@@ -67,15 +67,6 @@ def write(stream, found):
     stream.flush()
 
 
-def peek(pid, name):
-    """What a process finds in a file of another one: the number of bytes, or why it cannot be read."""
-    try:
-        with open(f"/proc/{pid}/{name}", "rb") as stream:
-            return "open" if name == "mem" else f"{len(stream.read())} bytes"
-    except OSError as why:
-        return type(why).__name__
-
-
 def spoil(mode, stream, k, found):
     """Answers point number k (from 0) of the request as the mode says."""
     if mode == "nothing" or (mode == "skip" and k == 1):
@@ -124,9 +115,6 @@ def spoil(mode, stream, k, found):
     if mode == "gigabyte" and k == 1:
         for _ in range(1000):
             stream.write("x" * 1000000)
-    if mode == "outside" and k == 1:
-        with open(os.environ["TARGET"], "w", encoding="utf-8") as other:
-            other.write("changed\n")
     if mode == "inside" and k == 1:
         os.mkdir("parts")
         with open("whole", "w", encoding="utf-8") as other:
@@ -136,9 +124,6 @@ def spoil(mode, stream, k, found):
     if mode == "environment" and k == 1:
         print(" ".join(f"{key}={value}" for key, value in sorted(os.environ.items())))
         sys.exit(5)
-    if mode == "neighbours" and k == 1:
-        print(" ".join(f"{name} {peek(os.getppid(), name)}" for name in ("environ", "mem")))
-        sys.exit(6)
     if mode == "shorter" and k == 1:
         time.sleep(0.2)
         stream.truncate(0)

@@ -2,8 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <linux/capability.h>
-#include <linux/landlock.h>
 #include <math.h>
 #include <poll.h>
 #include <signal.h>
@@ -101,85 +99,6 @@ static bool set_files(int output) {
          syscall(SYS_close_range, STDERR_FILENO + 1, ~0U, 0U) == 0;
 }
 
-/* What a solver cannot do: write outside its folder, and read the memory and the environment of
- * this program. confine and blind are called between fork and exec. */
-
-/* The rights to change files that the first version of Landlock knows. */
-static const uint64_t CHANGE = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
-                               LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
-                               LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
-                               LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
-                               LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
-
-/* Rights of later versions: to link or rename to another folder (2), to truncate (3). */
-static const uint64_t REFER = 1U << 13, TRUNCATE = 1U << 14;
-
-/* The capabilities that permit a process of root to read the memory of any process, Landlock and
- * PR_SET_DUMPABLE notwithstanding: Linux 6.14 accepts CAP_PERFMON, and with it CAP_SYS_ADMIN, for
- * the environment. */
-static const unsigned long SEEING[] = {CAP_SYS_PTRACE, CAP_SYS_ADMIN,
-#ifdef CAP_PERFMON
-                                       CAP_PERFMON
-#endif
-};
-
-/* Closes the files /proc/PID/environ and /proc/PID/mem of this process to other processes of the
- * user: its environment may contain secrets. Until its end this process writes no core file, and a
- * debugger can be attached only by root. */
-static void hide(void) {
-  (void)prctl(PR_SET_DUMPABLE, 0L, 0L, 0L, 0L);
-}
-
-/* Gives up the capabilities by which a program of root, executed next, could read the memory and
- * the environment of other processes. Without such capabilities this has no effect. */
-static void blind(void) {
-  for (size_t i = 0; i < sizeof SEEING / sizeof *SEEING; ++i)
-    (void)prctl(PR_CAPBSET_DROP, SEEING[i], 0L, 0L, 0L);
-  (void)prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0L, 0L, 0L);
-}
-
-static long version(void) {
-  return syscall(SYS_landlock_create_ruleset, NULL, 0L, LANDLOCK_CREATE_RULESET_VERSION);
-}
-
-bool po_can_confine(void) {
-  return version() >= 1;
-}
-
-static int allow(int rules, const char *folder, uint64_t rights) {
-  struct landlock_path_beneath_attr rule = {.allowed_access = rights,
-                                            .parent_fd = open(folder, O_PATH | O_CLOEXEC)};
-  if (rule.parent_fd < 0)
-    return errno;
-  const long failed = syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0L);
-  const int error = failed ? errno : 0;
-  close(rule.parent_fd);
-  return error;
-}
-
-/* Restricts this process and its descendants to creating, changing and removing files in one folder
- * and to writing to /dev. Owners, permissions and times of other files are not protected. Returned:
- * 0, or an errno; ENOSYS or EOPNOTSUPP if the kernel has no Landlock. */
-static int confine(const char *folder) {
-  const long known = version();
-  if (known < 0)
-    return errno;
-  const uint64_t later = (known >= 2 ? REFER : 0) | (known >= 3 ? TRUNCATE : 0);
-  struct landlock_ruleset_attr handled = {.handled_access_fs = CHANGE | later};
-  const int rules = (int)syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0L);
-  if (rules < 0)
-    return errno;
-  int error = allow(rules, folder, CHANGE | later);
-  if (!error)
-    error = allow(rules, "/dev",
-                  LANDLOCK_ACCESS_FS_WRITE_FILE | (later & TRUNCATE)); /* /dev/null, terminals */
-  if (!error && (prctl(PR_SET_NO_NEW_PRIVS, 1L, 0L, 0L, 0L) != 0 ||
-                 syscall(SYS_landlock_restrict_self, rules, 0L) != 0))
-    error = errno;
-  close(rules);
-  return error;
-}
-
 /* Becomes the program; to be called in a new process. Returned: the errno of the step that failed.
  */
 static int become(char *const *command, char *const *environment, const char *folder,
@@ -197,10 +116,6 @@ static int become(char *const *command, char *const *environment, const char *fo
     return ECHILD;
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, MOST_BYTES);
-  blind();
-  const int confined = confine(folder);
-  if (confined && confined != ENOSYS && confined != EOPNOTSUPP)
-    return confined;
   execve(command[0], command, environment);
   return errno;
 }
@@ -278,10 +193,8 @@ po_status po_process_start(const po_solver *solver, const po_ask_folder *folder,
   *process = (po_process){.handle = -1, .output = -1};
   if (!status && access(command[0], X_OK) != 0)
     status = po_fail(PO_CANNOT_READ, "%s cannot be executed: %s", command[0], strerror(errno));
-  if (!status) {
-    hide();
+  if (!status)
     status = start(command, environment, folder->path.text, process);
-  }
   free_words(command);
   free_words(environment);
   return status;

@@ -32,10 +32,9 @@ typedef struct {
 } po_process;
 
 /* Starts the program of a manifest in a folder. Standard input is empty; standard output and
- * standard error are collected. The program gets no other open file of this process. It can write
- * in its folder and in /dev only (Landlock), and it cannot read the environment or the memory
- * of this process. To be called by the thread that waits for the end. Status: PO_CANNOT_READ (the
- * program cannot be executed), PO_CANNOT_WRITE (no process could be created), PO_NO_MEMORY. */
+ * standard error are collected. The program gets no other open file of this process. To be called
+ * by the thread that waits for the end. Status: PO_CANNOT_READ (the program cannot be executed),
+ * PO_CANNOT_WRITE (no process could be created), PO_NO_MEMORY. */
 po_status po_process_start(const po_solver *solver, const po_ask_folder *folder,
                            po_process *process);
 
@@ -45,8 +44,5 @@ bool po_process_wait(po_process *process, double seconds);
 /* Ends a process: sends TERM to its group and, if it has not ended after `grace` seconds, KILL.
  * Returns after its end. */
 void po_process_stop(po_process *process, double grace);
-
-/* Reports whether this kernel can confine the files that a process writes to a folder. */
-bool po_can_confine(void);
 
 #endif
