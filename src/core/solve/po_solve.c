@@ -203,10 +203,10 @@ static po_status range_check(const po_request *request) {
       po_reduced_applies(request))
     return PO_OK;
   return po_fail(PO_BAD_INPUT,
-                 "range is reduced: expected auto or exact, but for the pull-off force of an "
-                 "elastic sphere on panels under an attraction with the exponent 3, without a "
-                 "spring, an approach_start and wants other than theories, and with contact edges "
-                 "of less than %.1g of the shortest wave or the contact, which here are %.2g",
+                 "range is reduced: expected auto or exact. It applies to the pull-off of elastic "
+                 "spheres on panels under an attraction with the exponent 3, without a spring, an "
+                 "approach_start or a want other than theories, and if contact edges are narrower "
+                 "than %.2g of the shortest wave and of the contact; here they have %.2g",
                  PO_REDUCED_MOST_WIDTH, po_reduced_width(&request->scene));
 }
 
