@@ -211,13 +211,14 @@ static po_status range_check(const po_request *request) {
 }
 
 /* Traces a scene, or solves it with greater ranges of the attraction: if these are chosen, or if
- * the trace fails as it does where contact edges are very narrow. */
-static po_status attempt_ranges(const po_request *request, po_result *result) {
+ * the trace fails as it does where contact edges are very narrow; then no points are kept. */
+static po_status attempt_ranges(const po_request *request, po_kept_points *kept,
+                                po_result *result) {
   po_status status = range_check(request);
   if (status)
     return status;
   if (po_request_check(request) || !po_reduced_is_chosen(request)) {
-    status = attempt_exact(request, result);
+    status = attempt(request, kept, result);
     if (request->range != PO_RANGE_AUTO || !po_reduced_is_resort(request, status))
       return status;
   }
@@ -231,6 +232,8 @@ static po_status attempt_ranges(const po_request *request, po_result *result) {
   if (!taken) /* the reason of the first failure is the one that helps */
     return po_fail(status, "%s", message);
   *result = reduced;
+  if (kept)
+    po_kept_points_clear(kept);
   return again;
 }
 
@@ -247,7 +250,8 @@ static po_status trace_attempts(const po_request *request, po_kept_points *kept,
   po_message_clear();
   po_status status = po_linear_reserve(1);
   if (!status)
-    status = kept ? attempt(request, kept, result) : attempt_ranges(request, result);
+    status = kept && !kept->minima ? attempt(request, kept, result)
+                                   : attempt_ranges(request, kept, result);
   result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
   return status;
 }
