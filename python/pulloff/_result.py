@@ -14,6 +14,9 @@ import numpy as np
 from ._library import C, CurvePoint, Message, ProfilePoint, SpecialPoint, UnitsOfScene
 from ._values import Error
 
+_LOOP = [("phase", "U9"), ("jump", bool), *((name, float) for name in (
+    "base", "approach", "indentation", "load", "contact_radius", "stiffness", "energy_lost"))]
+
 _KINDS = np.array(["jump_in", "jump_out", "minimum", "maximum"])
 
 
@@ -81,6 +84,10 @@ class Result(Mapping[str, Any]):
         position), unstable_modes (0: stable at given approach); empty unless wanted.
     profile: structured array with the fields radius (epsilon), gap (H = h/epsilon - 1), traction (P = p mu epsilon/w,
         > 0 compressive); empty unless wanted.
+    loop: structured array of what a test records, through the spring or without one at given approach, with the fields
+        phase (loading, unloading), jump (whether a jump ends at the row), base, approach, indentation, contact_radius
+        (epsilon), load (pi w R), stiffness (pi w R/epsilon, nan at a fold), energy_lost (pi w R epsilon, in that jump);
+        empty unless wanted.
     document: the JSON document of `pulloff solve --json` as dictionaries and lists. Its numbers are those above to the
         last bit. A result is a mapping of it: result["hysteresis"] is result.document["hysteresis"].
     units: the Units of its scene, if that is in SI units; in a series each result has its own.
@@ -101,6 +108,12 @@ class Result(Mapping[str, Any]):
     @property
     def reason(self) -> str:
         return self.document["reason"]  # type: ignore[no-any-return]
+
+    @property
+    def loop(self) -> np.ndarray:
+        found = self.document.get("hysteresis", {})
+        rows = found.get("spring", found.get("displacement_control", {})).get("path", {}).get("rows", [])
+        return np.array([tuple(math.nan if row[name] is None else row[name] for name, _ in _LOOP) for row in rows], _LOOP)
 
     def __getitem__(self, name: str) -> Any:
         return self.document[name]

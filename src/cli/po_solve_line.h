@@ -10,10 +10,10 @@
 typedef struct {
   po_scene_options scene;
   po_request request;
-  const char *curve, *profile, *staircase; /* files; NULL: none */
-  const char *smoothed;                    /* file of the smoothed profile; NULL: none */
-  const char *plot, *run;                  /* figure, and folder of records; NULL: none */
-  const char *theory;                      /* the one to be compared; NULL: all */
+  const char *curve, *profile, *staircase, *loop; /* files; NULL: none */
+  const char *smoothed;                           /* file of the smoothed profile; NULL: none */
+  const char *plot, *run;                         /* figure, and folder of records; NULL: none */
+  const char *theory;                             /* the one to be compared; NULL: all */
   int tables;        /* that are written to standard output: see po_solve_line_end */
   bool json, warned; /* the latter: whether _end need not warn of lengths that look like metres */
 } po_solve_line;
@@ -28,6 +28,7 @@ typedef struct {
   PO_TEXT("curve", po_solve_line, curve, "the name of a file"), \
   PO_TEXT("profile-csv", po_solve_line, profile, "the name of a file"), \
   PO_TEXT("staircase", po_solve_line, staircase, "the name of a file"), \
+  PO_TEXT("loop", po_solve_line, loop, "the name of a file"), \
   PO_TEXT("smoothed", po_solve_line, smoothed, "the name of a file"), PO_SOLVE_LINE_OUTPUT
 // clang-format on
 

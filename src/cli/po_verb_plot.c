@@ -329,6 +329,7 @@ static po_status take_operands(po_solve_line *line, const po_options *options, c
                      : line->curve     ? "curve"
                      : line->profile   ? "profile-csv"
                      : line->staircase ? "staircase"
+                     : line->loop      ? "loop"
                      : line->smoothed  ? "smoothed"
                                        : NULL;
   if (idle)

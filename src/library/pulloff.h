@@ -105,7 +105,7 @@ void pulloff_scene_destroy(pulloff_scene *scene);
  * in epsilon; inf is the unbounded half-space (default inf)". They are the options of `pulloff
  * solve` with _ for -, and dimensionless groups such as amplitude_ratio, each of which sets another
  * key when the scene is solved. Two more are of this library: `want`, the additional results, any
- * of curve, profile, hysteresis, diagnostics, preload and theories with commas between; and
+ * of curve, profile, hysteresis, diagnostics, preload, theories and loop with commas between; and
  * `profile_approach`, the approach of the profile in epsilon. Returned: NULL if there is no key of
  * this number. */
 size_t pulloff_key_count(void);

@@ -65,10 +65,10 @@ spoilt 's/^name: good/name: good\nname: bad/' \
 spoilt '/^name/d' '1: name is missing: expected letters, digits, _ and -'
 spoilt 's/^name: good/name: ..\/good/' '1: name is ../good: expected letters, digits, _ and -'
 spoilt 's/^name: good/name: solvers/' '1: name is solvers: expected another name: records of external solvers are in this folder'
-spoilt '/^want/d' '*: want is missing: expected a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload, theories'
+spoilt '/^want/d' '*: want is missing: expected a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload, theories, loop'
 spoilt 's/want: .*/want: pull_off/' '11: want is pull_off: expected a list of pull_off, *'
 spoilt 's/want: .*/want: [pudding]/' \
-  '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload or theories'
+  '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload, theories or loop'
 spoilt 's/want: .*/want: []/' '11: want is a list: expected a list of pull_off, *'
 spoilt 's/suites: .*/suites: [smoke, "des,sert"]/' \
   '3: suites[[]2[]] is des,sert: expected letters, digits, _ and -'

@@ -153,12 +153,19 @@ static void same_place(const po_path_state *a, const po_path_state *b) {
 static void same_loop(const po_loop *a, const po_loop *b) {
   ck_assert(a->control == b->control);
   SAME(po_loop, a, b, WITHOUT(po_loop, control), WITHOUT(po_loop, jumps),
-       WITHOUT(po_loop, interpolated), WITHOUT(po_loop, preload), WITHOUT(po_loop, pull_off));
+       WITHOUT(po_loop, has_rows), WITHOUT(po_loop, row), WITHOUT(po_loop, interpolated),
+       WITHOUT(po_loop, preload), WITHOUT(po_loop, pull_off));
   same_state(&a->preload, &b->preload);
   same_state(&a->pull_off, &b->pull_off);
   for (size_t k = 0; k < a->jump_count; ++k) {
     ck_assert(a->jumps[k].loading == b->jumps[k].loading);
     SAME(po_jump, &a->jumps[k], &b->jumps[k], WITHOUT(po_jump, loading), WITHOUT(po_jump, doubt));
+  }
+  ck_assert(a->has_rows == b->has_rows && a->has_rows == (a->row_count > 0));
+  for (size_t k = 0; k < a->row_count; ++k) {
+    ck_assert(a->row[k].loading == b->row[k].loading && a->row[k].jump == b->row[k].jump);
+    SAME(po_loop_row, &a->row[k], &b->row[k], {0, offsetof(po_loop_row, state)},
+         WITHOUT(po_loop_row, state.energy), WITHOUT(po_loop_row, state.position));
   }
 }
 
@@ -337,6 +344,8 @@ static double factor_of(const char *key, const json_t *object, double unit) {
                                       "energy_lost_error_estimate",
                                       "work",
                                       "work_error_estimate",
+                                      "area_error_estimate",
+                                      "stiffness",
                                       "load_rate",
                                       "fold_load_change",
                                       "extremum_load_change",

@@ -95,7 +95,7 @@ START_TEST(a_harder_preload_may_give_a_smaller_force) {
   for (size_t k = 0; k < 2; ++k) { /* loops with preloads just beyond the jumps */
     po_hysteresis loops;
     const po_preload preload = {s.step[k].preload.approach + 1e-3, NAN};
-    ck_assert_int_eq(po_hysteresis_follow(&path, preload, INFINITY, &loops), PO_OK);
+    ck_assert_int_eq(po_hysteresis_follow(&path, preload, INFINITY, false, &loops), PO_OK);
     const po_loop *loop = &loops.of[PO_AT_APPROACH];
     ck_assert_double_eq(loop->pull_off.load, s.step[k].pull_off.load);
     ck_assert_uint_eq(loop->jump_count, s.step[k].cycle[0].loss.jumps);

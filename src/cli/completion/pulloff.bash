@@ -28,7 +28,9 @@ _pulloff() {
   case $COMP_CWORD:$before in
   1:*) words="$(_pulloff_names "$program") --help --version" ;;
   *:--output | *:--run) action=(-d) ;;
-  *:--curve | *:--profile-csv | *:--profile-file | *:--staircase | *:--plot | *:--junit) action=(-f) ;;
+  *:--curve | *:--profile-csv | *:--profile-file | *:--staircase | *:--loop | *:--summary | *:--plot | *:--junit)
+    action=(-f)
+    ;;
   *:--*) words=$(_pulloff_values "$program" "$verb" "$before") ;;
   esac
   if [ -z "$words" ] && [ ${#action[@]} -eq 0 ]; then

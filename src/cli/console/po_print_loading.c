@@ -188,6 +188,10 @@ static void print_wanted(const po_request *request, const po_result *o) {
   if (request->want & PO_WANT_CURVE)
     printf("curve    %zu %s; --curve FILE or --json writes them\n", o->curve_count,
            po_one_or_more(o->curve_count, "point", "points"));
+  if (o->hysteresis.of[PO_AT_APPROACH].has_rows)
+    printf(
+        "loop     %zu rows; --loop FILE or --json writes them\n",
+        o->hysteresis.of[o->hysteresis.has_spring ? PO_THROUGH_SPRING : PO_AT_APPROACH].row_count);
   if (!(request->want & PO_WANT_PROFILE))
     return;
   if (o->profile_count == 0) {

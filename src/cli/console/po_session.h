@@ -18,6 +18,7 @@ typedef struct {
   po_point_range ranges[PO_MOST_RANGES]; /* the selected points of each case */
   size_t range_count;                    /* 0: all points */
   po_shard shard;                        /* the shard to solve, if .count > 0 */
+  const char *summary;                   /* of run: the file of the summary; NULL: none */
   po_run_options options;
   const char *manifests[PO_MOST_MANIFESTS]; /* of --solver: "MANIFEST", "MANIFEST@VALUE", or
                                                "pulloff" for this program */

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "po_loop_record.h"
 #include "po_memory.h"
 
 typedef struct {
@@ -10,6 +11,7 @@ typedef struct {
   po_control control;
   po_preload preload;
   po_loop *loop;
+  po_loop_record record;
   po_path_place at;
 } loop_state;
 
@@ -37,18 +39,20 @@ static po_status add_jump(loop_state *f, bool loading, po_path_state before, siz
   jumps[loop->jump_count++] = (po_jump){loading, before, after, lost, error, NAN};
   loop->loading_jumps += loading;
   loop->energy_lost += lost;
-  return PO_OK;
+  return po_loop_record_jump(&f->record, isfinite(after.position) ? &f->at : NULL, after);
 }
 
-/* Moves to a fraction of the current segment and adds the work. */
-static void move(loop_state *f, double fraction) {
+/* Moves to a fraction of the current segment and adds the work. Status: PO_NO_MEMORY. */
+static po_status move(loop_state *f, double fraction) {
   const double before = state_of(f).load;
   f->loop->work += po_path_work(f->path, f->at.index, f->at.fraction, fraction);
+  const po_status status = po_loop_record_way(&f->record, f->at.index, f->at.fraction, fraction);
   f->at.fraction = fraction;
   if (f->control != PO_LOAD_CONTROL) { /* what the spring takes up */
     const double after = state_of(f).load;
     f->loop->work += 0.5 * (after - before) * (after + before) / f->control;
   }
+  return status;
 }
 
 /* Returned: whether the preload is reached on the current segment ahead of the place; then
@@ -103,13 +107,13 @@ static po_status load(loop_state *f) {
       continue;
     }
     if (meets_preload(f, &fraction)) {
-      move(f, fraction);
+      status = move(f, fraction);
       f->loop->preload = state_of(f);
       note_doubt(f, po_path_doubt_at(f->path, f->at));
-      return PO_OK;
+      return status;
     }
-    move(f, 1.0);
-    if (f->at.index + 2 == f->path->count)
+    status = move(f, 1.0);
+    if (!status && f->at.index + 2 == f->path->count)
       return po_fail(PO_NOT_FOUND, "the curve ends at approach %.6g: the preload is not reached",
                      f->path->point[f->at.index + 1].approach);
     f->at = (po_path_place){f->at.index + 1, 0.0};
@@ -136,9 +140,13 @@ static po_status separate(loop_state *f, po_path_state before, double value) {
 }
 
 static po_status unload(loop_state *f) {
+  po_status status = PO_OK;
   f->loop->pull_off = state_of(f);
+  f->record.loading = false;
   for (;;) {
-    move(f, 0.0);
+    status = move(f, 0.0);
+    if (status)
+      return status;
     note_tension(f);
     if (f->at.index == 0)
       return PO_OK;
@@ -151,7 +159,7 @@ static po_status unload(loop_state *f) {
     const size_t from = f->at.index;
     if (!po_stable_find(f->path, f->control, from, -1, value, &f->at))
       return separate(f, before, value);
-    const po_status status = add_jump(f, false, before, from, state_of(f));
+    status = add_jump(f, false, before, from, state_of(f));
     if (status)
       return status;
     note_tension(f);
@@ -160,9 +168,10 @@ static po_status unload(loop_state *f) {
 
 /* One loop. Under load control loading begins at load 0, at which the curve has a stable
  * equilibrium. */
-static po_status follow(const po_path *path, po_control control, po_preload preload,
+static po_status follow(const po_path *path, po_control control, po_preload preload, bool rows,
                         po_loop *loop) {
   *loop = (po_loop){.control = control,
+                    .has_rows = rows,
                     .pull_off_error = {NAN, NAN},
                     .energy_lost_error = NAN,
                     .work_error = NAN,
@@ -174,6 +183,7 @@ static po_status follow(const po_path *path, po_control control, po_preload prel
       path->count < 2 ? po_fail(PO_NOT_FOUND, "the curve has fewer than two points") : PO_OK;
   if (!status)
     status = po_path_add_extrema(&held, control, &points);
+  f.record = po_loop_record_begin(&held, control, loop);
   if (!status)
     status = load(&f);
   if (!status)
@@ -185,18 +195,18 @@ static po_status follow(const po_path *path, po_control control, po_preload prel
 }
 
 po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_control spring,
-                               po_hysteresis *hysteresis) {
+                               bool rows, po_hysteresis *hysteresis) {
   po_loop *of = hysteresis->of;
   *hysteresis = (po_hysteresis){.has_spring = false};
-  po_status status = follow(path, PO_DISPLACEMENT_CONTROL, preload, &of[PO_AT_APPROACH]);
+  po_status status = follow(path, PO_DISPLACEMENT_CONTROL, preload, rows, &of[PO_AT_APPROACH]);
   const po_preload load = {(double)NAN, fmax(0.0, of[PO_AT_APPROACH].preload.load)};
   po_path_place at_zero;
   hysteresis->has_load = !status && po_stable_find(path, PO_LOAD_CONTROL, 0, 1, 0.0, &at_zero);
   if (hysteresis->has_load)
-    status = follow(path, PO_LOAD_CONTROL, load, &of[PO_AT_LOAD]);
+    status = follow(path, PO_LOAD_CONTROL, load, false, &of[PO_AT_LOAD]);
   hysteresis->has_spring = !status && isfinite(spring);
   if (hysteresis->has_spring)
-    status = follow(path, spring, preload, &of[PO_THROUGH_SPRING]);
+    status = follow(path, spring, preload, rows, &of[PO_THROUGH_SPRING]);
   if (status)
     po_hysteresis_clear(hysteresis);
   return status;

@@ -22,10 +22,15 @@
  * the load of the displacement-controlled preload, or at load 0 if that load is tensile; that
  * through the spring is reversed at the preload. Without a stable equilibrium at load 0 there is no
  * load-controlled loop. Given: a preload with an approach or a load >= 0;
- * the stiffness of the spring, INFINITY: none. Returned: hysteresis, to be cleared with
- * po_hysteresis_clear. Status: PO_NOT_FOUND if the curve ends before the preload, or does not begin
- * far enough out; PO_NO_MEMORY. */
+ * the stiffness of the spring, INFINITY: none; whether the loops at given approach and through the
+ * spring have rows, whose row_area_error is then what the trapezoidal rule lacks. Returned:
+ * hysteresis, to be cleared with po_hysteresis_clear. Status: PO_NOT_FOUND if the curve ends before
+ * the preload, or does not begin far enough out; PO_NO_MEMORY. */
 po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_control spring,
-                               po_hysteresis *hysteresis);
+                               bool rows, po_hysteresis *hysteresis);
+
+/* Completes the rows of a loop whose states were moved to what is stated of special points: ends
+ * and losses of jumps, positions of the base, and the indentation. */
+void po_loop_rows_end(po_loop *loop);
 
 #endif

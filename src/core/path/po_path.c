@@ -48,6 +48,16 @@ po_path_state po_path_at(const po_path *path, po_path_place place) {
                          .position = a->position + t * (b->position - a->position)};
 }
 
+po_curve_rates po_path_rates(const po_path *path, po_path_place place) {
+  const po_curve_point *a = &path->point[place.index], *b = a + 1;
+  const double length = b->position - a->position, t = place.fraction;
+  cubic approach, load;
+  cubics(path, place.index, &approach, &load);
+  return (po_curve_rates){
+      po_hermite_rate(approach.f0, approach.d0, approach.f1, approach.d1, t, 1.0) / length,
+      po_hermite_rate(load.f0, load.d0, load.f1, load.d1, t, 1.0) / length};
+}
+
 po_path_doubt po_path_doubt_at(const po_path *path, po_path_place place) {
   const po_curve_point *a = &path->point[place.index], *b = a + 1;
   if (place.fraction == 0.0)
@@ -118,23 +128,19 @@ static size_t extrema_of(const cubic *c, double fraction[2]) {
 
 /* The point of the curve at a place inside a segment. */
 static po_curve_point point_at(const po_path *path, po_path_place place) {
-  const po_curve_point *a = &path->point[place.index], *b = a + 1;
-  const double length = b->position - a->position, t = place.fraction;
+  const po_curve_point *a = &path->point[place.index];
   const po_path_state s = po_path_at(path, place);
   const po_path_doubt doubt = po_path_doubt_at(path, place);
-  cubic approach, load;
-  cubics(path, place.index, &approach, &load);
-  return (po_curve_point){
-      .position = s.position,
-      .approach = s.approach,
-      .load = s.load,
-      .energy = s.energy,
-      .energy_error = doubt.interpolated + doubt.of_points,
-      .contact_radius = s.contact_radius,
-      .approach_rate =
-          po_hermite_rate(approach.f0, approach.d0, approach.f1, approach.d1, t, 1.0) / length,
-      .load_rate = po_hermite_rate(load.f0, load.d0, load.f1, load.d1, t, 1.0) / length,
-      .unstable_modes = a->unstable_modes};
+  const po_curve_rates rates = po_path_rates(path, place);
+  return (po_curve_point){.position = s.position,
+                          .approach = s.approach,
+                          .load = s.load,
+                          .energy = s.energy,
+                          .energy_error = doubt.interpolated + doubt.of_points,
+                          .contact_radius = s.contact_radius,
+                          .approach_rate = rates.approach,
+                          .load_rate = rates.load,
+                          .unstable_modes = a->unstable_modes};
 }
 
 /* The place of a position on the curve. */

@@ -38,6 +38,12 @@ bool po_path_reaches(double approach, double asked);
  * The interpolation error is of the fourth order in the length of the segment. */
 po_path_state po_path_at(const po_path *path, po_path_place place);
 
+/* The derivatives of approach and load by the position at a place inside a segment. */
+typedef struct {
+  double approach, load;
+} po_curve_rates;
+po_curve_rates po_path_rates(const po_path *path, po_path_place place);
+
 /* Returned: the doubt at a place. */
 po_path_doubt po_path_doubt_at(const po_path *path, po_path_place place);
 

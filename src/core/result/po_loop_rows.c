@@ -108,7 +108,32 @@ static const po_row JUMP[] = {
 static const po_block JUMP_ROWS = BLOCK("jump", JUMP, NULL);
 #undef S
 
+#define S po_loop_row
+static const po_row LOOP_ROW[] = {
+  WORD("phase", loading, PHASES, "loading or unloading"),
+  FLAG("jump", jump, "whether a jump from the row before ends here"),
+  NUMBER("base", base, LENGTH, "", "", "position of the base, approach + load/stiffness; without a spring the approach"),
+  NUMBER("approach", state.approach, LENGTH, "", "", "approach"),
+  NUMBER("indentation", indentation, LENGTH, "", "if loading makes no contact",
+         "approach less that of the first row with contact"),
+  NUMBER("load", state.load, LOAD, "", "", "load"),
+  NUMBER("contact_radius", state.contact_radius, LENGTH, "", "if not known", "contact radius"),
+  NUMBER("stiffness", stiffness, STIFFNESS, "", "at a fold, where it is infinite", "derivative of the load by the approach"),
+  NUMBER("energy_lost", energy_lost, ENERGY, "", "if the jump loses without bound",
+         "energy lost in the jump that ends here; 0 where none ends"),
+  HIDDEN("energy", state.energy, ENERGY, "potential energy"),
+};
+const po_block PO_LOOP_ROW_ROWS = BLOCK("loop_row", LOOP_ROW, NULL);
+#undef S
+
 #define S po_loop
+static const po_row LOOP_PATH[] = {
+  NUMBER("area_error_estimate", row_area_error, ENERGY, "", NO_BOUND,
+         "bound of the difference between `energy_lost` of the loop and the area that the rows enclose over the base, by the trapezoidal rule"),
+  LIST("rows", row, row_count, PO_LOOP_ROW_ROWS, NULL, "", "the states in the order of the test"),
+};
+static const po_block LOOP_PATH_ROWS = BLOCK("loop_path", LOOP_PATH, NULL);
+
 static double force_of_loop(const void *of) {
   return fmax(0.0, -((const S *)of)->pull_off.load);
 }
@@ -142,6 +167,8 @@ static const po_row LOOP[] = {
   NUMBER("energy_error_estimate", energy_error, ENERGY, "", NO_BOUND,
          "bound of the errors of the energies of `preload` and of the ends of all jumps, at their approaches"),
   LIST("jumps", jumps, jump_count, JUMP_ROWS, NULL, "", "the jumps, first those of loading"),
+  {.key = "path", .type = PO_ROW_PART, .block = &LOOP_PATH_ROWS, .omitted = true, .present = AT(bool, has_rows),
+   TEXTS("", "absent unless `loop` is wanted, and in load control", "what a test records")},
 };
 static const po_block LOOP_ROWS = BLOCK("loop", LOOP, settle_loop);
 

@@ -18,6 +18,7 @@ void po_hysteresis_clear(po_hysteresis *hysteresis) {
   for (int k = 0; k < PO_TESTS; ++k) {
     po_loop *loop = &hysteresis->of[k];
     free(loop->jumps);
+    free(loop->row);
     *loop = (po_loop){.control = loop->control};
   }
 }

@@ -68,6 +68,20 @@ typedef struct {
   double energy_lost_error; /* bound of the error of energy_lost; NAN: unknown */
 } po_jump;
 
+/* A row of what a test records. The rows of a loop are its states in the order of the test: every
+ * point of the curve that it passes, and others between, so many that the loads by straight lines
+ * over the base follow the cubics of the curve. A jump is two rows. */
+typedef struct {
+  bool loading;
+  bool jump; /* whether a jump from the row before ends here */
+  po_path_state state;
+  double base;        /* position of the base, eps: approach + load/stiffness, without a spring the
+                         approach */
+  double indentation; /* approach less that of the first row with contact, eps; NAN: no contact */
+  double stiffness;   /* d(load)/d(approach), pi w R/eps; NAN: infinite, at a fold */
+  double energy_lost; /* in that jump; otherwise 0 */
+} po_loop_row;
+
 typedef struct {
   po_control control;
   po_path_state preload;        /* the state at which loading was reversed */
@@ -79,9 +93,14 @@ typedef struct {
   double work; /* integral of the load over the position of the base along the complete loop, by
                   quadrature of the loads; NAN unless the loop is closed */
   double energy_lost_error, work_error; /* bounds of their errors; NAN: unknown */
-  double interpolated; /* greatest error by interpolation of preload and ends of jumps */
-  double energy_error; /* bound of the errors of the energies of all states at their approaches;
-                          NAN: unknown */
+  bool has_rows;                        /* whether the rows are wanted */
+  po_loop_row *row;                     /* not under load control; owned */
+  size_t row_count;
+  double row_area_error; /* bound of the difference of the area of the rows, by the trapezoidal
+                            rule, from the energy lost; NAN: unknown, or there are no rows */
+  double interpolated;   /* greatest error by interpolation of preload and ends of jumps */
+  double energy_error;   /* bound of the errors of the energies of all states at their approaches;
+                            NAN: unknown */
 } po_loop;
 
 /* The tests of a scene: at given approach, at given load, and through the spring if there is one.

@@ -17,8 +17,8 @@ po_request po_request_default(void) {
 const char *const PO_RANGES[] = {
     [PO_RANGE_AUTO] = "auto", [PO_RANGE_EXACT] = "exact", [PO_RANGE_REDUCED] = "reduced", NULL};
 
-const char *const PO_WANTS[] = {"curve",       "profile", "hysteresis",
-                                "diagnostics", "preload", "theories"};
+const char *const PO_WANTS[] = {"curve",   "profile",  "hysteresis", "diagnostics",
+                                "preload", "theories", "loop"};
 
 bool po_want_read(const char *list, unsigned *want) {
   unsigned found = 0;
@@ -108,7 +108,7 @@ po_status po_request_check(const po_request *request) {
 }
 
 po_status po_request_complete(po_request *request) {
-  if (!isnan(request->stiffness))
+  if (!isnan(request->stiffness) || request->want & PO_WANT_LOOP)
     request->want |= PO_WANT_HYSTERESIS;
   if (!isnan(request->profile_approach))
     request->want |= PO_WANT_PROFILE;

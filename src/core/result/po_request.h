@@ -20,6 +20,7 @@ enum {
                               changed parameters */
   PO_WANT_PRELOAD = 16,    /* the pull-off after every preload: the staircases */
   PO_WANT_THEORIES = 32,   /* the theories of the theories; changes nothing else */
+  PO_WANT_LOOP = 64,       /* the rows of the loops, which PO_WANT_HYSTERESIS belongs to */
 };
 
 /* Whether the trace continues beyond its preload, to find the pull-off after harder preloads. */
@@ -104,7 +105,7 @@ typedef struct po_request {
   void *watcher;
 } po_request;
 
-enum { PO_WANT_COUNT = 6 };
+enum { PO_WANT_COUNT = 7 };
 
 extern const char *const PO_WANTS[PO_WANT_COUNT]; /* the name of want 1 << k */
 
@@ -112,7 +113,7 @@ extern const char *const PO_WANTS[PO_WANT_COUNT]; /* the name of want 1 << k */
  * unknown; then *want is unchanged. */
 bool po_want_read(const char *list, unsigned *want);
 #define PO_WANT_EXPECTED                                                                           \
-  "any of curve, profile, hysteresis, diagnostics, preload, theories, with commas between"
+  "any of curve, profile, hysteresis, diagnostics, preload, theories, loop, with commas between"
 
 /* A request with every field at its default (po_scene_default, po_mesh_default, the rest NAN or 0).
  */
@@ -129,10 +130,10 @@ extern const double PO_USUAL_PRELOAD;
  * the default load. */
 po_preload po_request_preload(const po_request *request);
 
-/* Completes a request that was given key by key: a stiffness asks for loading and unloading, and an
- * approach of the profile for the profile. The search of a single solve is PO_SEARCH_SOME if
- * neither a preload nor an additional result is wanted but the theories. Status: as
- * po_request_check. */
+/* Completes a request that was given key by key: a stiffness and the rows of loops ask for loading
+ * and unloading, and an approach of the profile for the profile. The search of a single solve is
+ * PO_SEARCH_SOME if neither a preload nor an additional result is wanted but the theories. Status:
+ * as po_request_check. */
 po_status po_request_complete(po_request *request);
 
 /* Whether the trace continues beyond the preload: PO_SEARCH_ALL for a preload of INFINITY and if

@@ -246,6 +246,13 @@ static double state_energy_error(const po_result *o, const po_path *path,
   return mark && !isnan(mark->energy_error) ? mark->energy_error : energy_error_at(path, state);
 }
 
+/* The rows of a loop whose jumps were read. */
+static void read_rows(const po_result *o, po_loop *loop) {
+  for (size_t k = 0; k < loop->row_count; ++k)
+    take_special_point(o, &loop->row[k].state);
+  po_loop_rows_end(loop);
+}
+
 /* A loop whose states at special points are as these are stated, and its errors. The work of a
  * closed loop is the energy that its jumps lose, computed by another way. */
 static void read_loop(const po_collector *reader, const po_path *path, po_loop *loop) {
@@ -262,7 +269,9 @@ static void read_loop(const po_collector *reader, const po_path *path, po_loop *
     energy = fmax(energy, state_energy_error(o, path, &jump->before));
     energy = fmax(energy, state_energy_error(o, path, &jump->after));
   }
+  read_rows(o, loop);
   loop->work_error = loop->energy_lost_error + fabs(loop->work - loop->energy_lost);
+  loop->row_area_error = fabs(loop->row_area_error) + loop->work_error;
   loop->energy_error = energy + OF_INTERPOLATED * loop->interpolated;
   loop->pull_off_error = state_of_special_point(request, reader->result, &loop->pull_off);
 }
@@ -299,8 +308,9 @@ static bool begins_late(const po_request *request, const po_path *path, double *
 /* Computes loading and unloading along the traced branch. */
 static po_status read_hysteresis(const po_collector *reader, const po_path *path) {
   po_result *o = reader->result;
-  const po_status status = po_hysteresis_follow(path, po_request_preload(reader->request),
-                                                reader->request->stiffness, &o->hysteresis);
+  const po_status status =
+      po_hysteresis_follow(path, po_request_preload(reader->request), reader->request->stiffness,
+                           reader->request->want & PO_WANT_LOOP, &o->hysteresis);
   o->has_hysteresis = !status;
   for (int k = 0; k < 2 + o->hysteresis.has_spring && !status; ++k)
     if (k != PO_AT_LOAD || o->hysteresis.has_load)

@@ -266,7 +266,7 @@ po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_contro
     builder b = {.curve = &curve};
     status = build(&b, end);
     if (!status)
-      status = po_hysteresis_follow(&(po_path){b.point, b.count}, preload, spring, hysteresis);
+      status = po_hysteresis_follow(&(po_path){b.point, b.count}, preload, spring, false, hysteresis);
     if (!status && !hysteresis->has_load) {
       po_hysteresis_clear(hysteresis);
       status = PO_NOT_FOUND; /* a longer curve has one */

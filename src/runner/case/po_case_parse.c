@@ -47,9 +47,9 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
     if (!want)
       return po_fields_refuse(yaml,
                               "pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, "
-                              "preload or theories",
+                              "preload, theories or loop",
                               "want[%u]", i + 1);
-    kase->want |= want;
+    kase->want |= want | (want == PO_WANT_LOOP ? PO_WANT_HYSTERESIS : 0U);
   }
   return PO_OK;
 }

@@ -136,6 +136,8 @@ static void tell_wants(const po_plan *plan, json_t **lines) {
     say(lines,
         "simulate loading and unloading, at given approach and at given load: the case wants "
         "the hysteresis");
+  if (plan->want & PO_WANT_LOOP)
+    say(lines, "keep the states of loading and unloading: the case wants the loop");
   if (plan->want & PO_WANT_PRELOAD)
     say(lines, "find the pull-off for every preload: the case wants the staircase");
   if (plan->want & PO_WANT_THEORIES)

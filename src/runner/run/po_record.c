@@ -303,6 +303,8 @@ static po_status check_tables(const json_t *record, const char *folder) {
       status = check_table(entry, "curve", folder);
     if (!status)
       status = check_table(entry, "profile", folder);
+    if (!status)
+      status = check_table(entry, "loop", folder);
   }
   json_array_foreach(json_object_get(record, "lines"), i, entry) {
     if (!status)

@@ -39,7 +39,7 @@ json_t *po_record_point(const po_case_run *run, size_t index);
  * then incomplete, and is to be cleared. */
 po_status po_record_read_result(po_case_run *run, size_t index, const json_t *object);
 
-/* Writes the curve and the profile of a point, if it has them. Returned: *entry, that of
+/* Writes the curve, the profile and the loop of a point, if it has them. Returned: *entry, that of
  * po_record_point with the names and checksums of these tables. Status: PO_CANNOT_WRITE,
  * PO_NO_MEMORY; *entry is to be released in any case. */
 po_status po_record_entry(const po_case_run *run, size_t index, const char *folder, json_t **entry);

@@ -164,23 +164,41 @@ static void table_name(char name[64], const char *what, const po_point *point) {
   snprintf(name, 64, "%s-%s.csv", what, point->id);
 }
 
-/* Writes the curve or the profile of a point, if it has one, and adds the name of the file and its
- * checksum to the entry. The checksum detects a table of another record. */
-static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
+/* The tables of a point. */
+static const struct {
+  po_table table;
+  const char *what;
+} TABLES[] = {{PO_CURVE_TABLE, "curve"}, {PO_PROFILE_TABLE, "profile"}, {PO_LOOP_TABLE, "loop"}};
+enum { TABLE_COUNT = sizeof TABLES / sizeof *TABLES };
+
+/* The number of rows of a table. */
+static size_t rows_of(const po_result *result, po_table table) {
+  return table == PO_CURVE_TABLE     ? result->curve_count
+         : table == PO_PROFILE_TABLE ? result->profile_count
+                                     : result->hysteresis.of[PO_AT_APPROACH].row_count;
+}
+
+/* Writes a table of a point, if it has it, and adds the name of the file and its checksum to the
+ * entry. The checksum detects a table of another record. A table of the loop is in SI units if the
+ * scene is. */
+static po_status add_table(const po_case_run *run, size_t index, size_t number, const char *folder,
                            json_t **entry) {
   const po_point *point = &run->plan->kase->points[index];
   const po_result *result = &run->points[index].result;
-  const char *what = profile ? "profile" : "curve";
+  const po_table table = TABLES[number].table;
+  const char *what = TABLES[number].what;
   char name[64], digest_key[32], digest[PO_DIGEST_LENGTH];
   table_name(name, what, point);
-  po_json_set(entry, what, json_null());
-  if ((profile ? result->profile_count : result->curve_count) == 0)
+  if (table != PO_LOOP_TABLE || run->plan->want & PO_WANT_LOOP)
+    po_json_set(entry, what, json_null());
+  if (rows_of(result, table) == 0)
     return PO_OK;
   const po_file_path path = po_path_join(folder, name);
-  const po_request shown = shown_request(run->plan->kase, point);
-  const po_status status = po_tables_write(profile ? PO_PROFILE_TABLE : PO_CURVE_TABLE, path.text,
-                                           &shown, result, digest);
-  if (profile)
+  po_request shown = shown_request(run->plan->kase, point);
+  shown.in_si = table == PO_LOOP_TABLE && run->plan->kase->is_physical;
+  shown.units = run->plan->kase->units;
+  const po_status status = po_tables_write(table, path.text, &shown, result, digest);
+  if (table == PO_PROFILE_TABLE)
     po_json_set(entry, "contact", po_json_of(&PO_CONTACT_ROWS, result));
   snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
   po_json_set(entry, what, po_json_text(name));
@@ -268,8 +286,10 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
 po_status po_record_entry(const po_case_run *run, size_t index, const char *folder,
                           json_t **entry) {
   *entry = po_record_point(run, index);
-  const po_status status = add_table(run, index, false, folder, entry);
-  return status ? status : add_table(run, index, true, folder, entry);
+  po_status status = PO_OK;
+  for (size_t k = 0; k < TABLE_COUNT && !status; ++k)
+    status = add_table(run, index, k, folder, entry);
+  return status;
 }
 
 const char *po_record_text(const json_t *object, const char *key) {

@@ -51,6 +51,16 @@ static const column STEP[] = {{"from_approach", "preload.approach"},
                               {"energy_lost", "cycles.0.energy_lost"},
                               {"energy_lost_error", "cycles.0.energy_lost_error_estimate"}};
 
+static const column LOOP[] = {{"phase", "phase"},
+                              {"jump", "jump"},
+                              {"base", "base"},
+                              {"approach", "approach"},
+                              {"indentation", "indentation"},
+                              {"load", "load"},
+                              {"contact_radius", "contact_radius"},
+                              {"stiffness", "stiffness"},
+                              {"energy_lost", "energy_lost"}};
+
 static const column SERIES[] = {{"force", "pull_off.force"},
                                 {"force_error", "pull_off.error_estimate"},
                                 {"approach", "pull_off.approach"},
@@ -93,20 +103,35 @@ static const struct {
          .units_in_si = "SI, at the end of the name of each column; load compressive > 0; the "
                         "derivative of the energy by the approach is the load; energy_error: "
                         "bound of its error at this approach, nan: not estimated"},
-    [PO_STAIRCASE_TABLE] = {
-        .column = STEP,
-        .count = LENGTH(STEP),
-        .list = {{"staircase.displacement_control.steps", "displacement,"},
-                 {"staircase.load_control.steps", "load,"},
-                 {"staircase.spring.steps", "spring,"}},
-        .what = "pull-off force and dissipated energy as functions of the preload: each row is a "
-                "step, the range of greatest approaches (control displacement), loads (control "
-                "load) or positions of the base approach + load/stiffness (control spring) with "
-                "the same pull-off; open: the curve ends before the step",
-        .units = "approaches in epsilon, -inf for separated bodies; loads and force in pi w R; "
-                 "energy in pi w R epsilon, nan: unbounded",
-        .units_in_si = "SI, at the end of the name of each column; approaches -inf for separated "
-                       "bodies; energy nan: unbounded"}};
+    [PO_STAIRCASE_TABLE] =
+        {.column = STEP,
+         .count = LENGTH(STEP),
+         .list = {{"staircase.displacement_control.steps", "displacement,"},
+                  {"staircase.load_control.steps", "load,"},
+                  {"staircase.spring.steps", "spring,"}},
+         .what = "pull-off force and dissipated energy as functions of the preload: each row is a "
+                 "step, the range of greatest approaches (control displacement), loads (control "
+                 "load) or positions of the base approach + load/stiffness (control spring) with "
+                 "the same pull-off; open: the curve ends before the step",
+         .units = "approaches in epsilon, -inf for separated bodies; loads and force in pi w R; "
+                  "energy in pi w R epsilon, nan: unbounded",
+         .units_in_si = "SI, at the end of the name of each column; approaches -inf for separated "
+                        "bodies; energy nan: unbounded"},
+    [PO_LOOP_TABLE] = {
+        .column = LOOP,
+        .count = LENGTH(LOOP),
+        .list = {{"hysteresis.spring.path.rows", ""},
+                 {"hysteresis.displacement_control.path.rows", ""}},
+        .what = "loading and unloading ",
+        .units =
+            "lengths in epsilon; load in pi w R, compressive > 0; stiffness (of the contact, "
+            "nan: infinite) in pi w R/epsilon; energy_lost in pi w R epsilon, in the jump that "
+            "ends at the row; base: approach + load/stiffness of the spring; indentation: "
+            "approach from the first contact on",
+        .units_in_si = "SI, at the end of the name of each column; load compressive > 0; stiffness "
+                       "of the contact, nan: infinite; energy_lost in the jump that ends at the "
+                       "row; base: approach + load/stiffness of the spring; indentation: approach "
+                       "from the first contact on"}};
 
 /* The columns of a table of a request, and their block. */
 typedef struct {
@@ -143,16 +168,27 @@ static void add_names(po_text *rows, const char *before, const layout *l) {
   po_text_add(rows, "\n");
 }
 
+/* The word of a column, before its numbers; NULL: it has numbers. */
+static const char *word_of(const layout *l, size_t c, const void *item) {
+  const po_field field = po_block_find(l->block, item, l->column[c].path);
+  return field.row->type == PO_ROW_WORD ? field.row->names[po_row_bits(field.row, field.owner)]
+                                        : NULL;
+}
+
 /* Adds a row with the numbers of an item, which begins with a text. */
 static void add_item(po_text *rows, const char *before, const layout *l, const void *item,
                      const po_units *own) {
   double row[MOST_COLUMNS];
   size_t used = 0;
   po_si_unit unit;
-  for (size_t c = 0; c < l->count; ++c)
-    if (has_column(l, c, own, &unit))
-      row[used++] = po_si_value(&unit, po_block_number(l->block, item, l->column[c].path));
   po_text_add(rows, "%s", before);
+  for (size_t c = 0; c < l->count; ++c) {
+    const char *word = word_of(l, c, item);
+    if (word)
+      po_text_add(rows, "%s,", word);
+    else if (has_column(l, c, own, &unit))
+      row[used++] = po_si_value(&unit, po_block_number(l->block, item, l->column[c].path));
+  }
   po_csv_add_row(rows, row, used);
 }
 
@@ -164,6 +200,15 @@ static po_status write_text(const char *path, const po_text *text) {
   if (fwrite(text->data, 1, text->length, stdout) == text->length && fflush(stdout) == 0)
     return PO_OK;
   return po_fail(PO_CANNOT_WRITE, "standard output cannot be written: %s", strerror(errno));
+}
+
+po_status po_tables_write_rows(const char *path, const po_text *header, const po_text *rows) {
+  char digest[PO_DIGEST_LENGTH];
+  po_text text = {0};
+  po_csv_seal(header, rows, &text, digest);
+  const po_status status = text.failed ? PO_NO_MEMORY : write_text(path, &text);
+  po_text_clear(&text);
+  return status;
 }
 
 /* Writes a table. Given: rows, which begin with the line of column names and are cleared. */
@@ -184,10 +229,28 @@ static po_status write_table(const char *path, const po_request *request, const 
   return status;
 }
 
+/* Says which loop a table has, and what it encloses. */
+static void add_loop(po_text *what, const po_request *request, const po_hysteresis *h) {
+  const po_loop *loop = &h->of[h->has_spring ? PO_THROUGH_SPRING : PO_AT_APPROACH];
+  po_si_unit energy = {.factor = 1, .text = ""};
+  if (request->in_si)
+    energy = po_si_prefixed(&request->units, PO_DIMENSION_ENERGY);
+  po_text_add(what,
+              "%s, as a test records it; jumps, two rows each, lose %.10g %s, with an error of "
+              "at most %.2g; the area of the rows over the base, by the trapezoidal rule, "
+              "differs from that by at most %.2g",
+              h->has_spring ? "through a spring" : "at given approach",
+              loop->energy_lost * energy.factor,
+              request->in_si                   ? energy.text
+              : po_input_has_coupling(request) ? "pi w epsilon^2"
+                                               : "pi w R epsilon",
+              loop->energy_lost_error * energy.factor, loop->row_area_error * energy.factor);
+}
+
 po_status po_tables_write(po_table table, const char *path, const po_request *request,
                           const po_result *result, char *digest) {
   po_text rows = {0};
-  char approach[PO_NUMBER_LENGTH] = "", what[400];
+  char approach[PO_NUMBER_LENGTH] = "";
   if (table == PO_PROFILE_TABLE && !result->profile_count)
     return po_fail(PO_BAD_INPUT,
                    "%s is not written: the trace does not pass the approach of the profile, see "
@@ -198,9 +261,13 @@ po_status po_tables_write(po_table table, const char *path, const po_request *re
     length = po_si_prefixed(&request->units, PO_DIMENSION_LENGTH);
   if (table == PO_PROFILE_TABLE)
     po_number_print(result->profile_approach * length.factor, approach);
-  snprintf(what, sizeof what, "%s%s%s%s", TABLES[table].what, approach,
-           *approach && *length.text ? " " : "", *approach ? length.text : "");
-  for (size_t k = 0; k < PO_TESTS && TABLES[table].list[k].path; ++k) {
+  po_text what = {0};
+  po_text_add(&what, "%s%s%s%s", TABLES[table].what, approach, *approach && *length.text ? " " : "",
+              *approach ? length.text : "");
+  if (table == PO_LOOP_TABLE)
+    add_loop(&what, request, &result->hysteresis);
+  const size_t tests = table != PO_LOOP_TABLE ? PO_TESTS : result->hysteresis.has_spring ? 1 : 2;
+  for (size_t k = 0; k < tests && TABLES[table].list[k].path; ++k) {
     const po_field list = po_block_find(&PO_ALL_ROWS, result, TABLES[table].list[k].path);
     const layout l = {TABLES[table].column, TABLES[table].count, list.row->block, request};
     if (k == 0)
@@ -208,9 +275,11 @@ po_status po_tables_write(po_table table, const char *path, const po_request *re
     for (size_t i = 0; list.owner && i < po_row_items(list.row, list.owner); ++i)
       add_item(&rows, TABLES[table].list[k].before, &l, po_row_item(list.row, list.owner, i), NULL);
   }
-  return write_table(path, request, what,
-                     request->in_si ? TABLES[table].units_in_si : TABLES[table].units, &rows,
-                     digest);
+  const po_status status =
+      write_table(path, request, po_text_string(&what),
+                  request->in_si ? TABLES[table].units_in_si : TABLES[table].units, &rows, digest);
+  po_text_clear(&what);
+  return status;
 }
 
 po_status po_tables_write_smoothed(const char *path, const po_request *request) {
