@@ -22,7 +22,7 @@ def help_of(program, *verb):
 
 def verbs_of(program):
     """Verb -> what it does, from the list in the help of the program."""
-    return dict(re.match(r"  ([a-z]+) +(\S.*)", line).groups() for line in help_of(program) if re.match(r"  [a-z]+ {2,}\S", line))
+    return dict(re.match(r"  ([a-z][a-z-]*) +(\S.*)", line).groups() for line in help_of(program) if re.match(r"  [a-z][a-z-]* {2,}\S", line))
 
 
 def escaped(text):

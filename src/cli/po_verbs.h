@@ -6,13 +6,14 @@
 /* Reads the command line of the program (argv[1] is the verb) and runs the verb. */
 int po_verbs_run(int argc, char **argv);
 
-/* One row a verb: its name, and what it does. */
+/* One row a verb: its name, in which _ stands for -, and what it does. */
 // clang-format off
 #define PO_VERBS(X) \
   X(solve, "solve one scene") \
   X(compare, "compare the pull-off force of one scene with every theory") \
   X(follow, "compute the pull-off of a series of scenes in which one parameter varies") \
   X(theory, "evaluate a closed form, of the paper or of any profile") \
+  X(contact_law, "write the law of contact of two particles for other programs") \
   X(plot, "plot one scene or the pull-off forces of a case") \
   X(list, "list the cases or the reference tables") \
   X(plan, "print what would be computed for a case, and why") \

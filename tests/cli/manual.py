@@ -16,7 +16,7 @@ NAME = re.compile(r"--[a-z][a-z0-9-]*[a-z0-9]")
 # In SI units, options for lengths end in -m. Help and pages say so in a sentence.
 METRES = "lengths are then given by options that end in -m"
 # Options that a verb reads in order to say why it does not take them.
-REFUSED = {verb: {"--stiffness", "--stiffness-n-per-m"} for verb in ("follow", "compare")}
+REFUSED = {verb: {"--stiffness", "--stiffness-n-per-m"} for verb in ("follow", "compare", "contact-law")}
 failed = []
 
 

@@ -17,7 +17,7 @@ offers() {
   check "$what" test "$(offered "$@" | xargs)" = "$expected"
 }
 
-verbs=$(alone pulloff --help | sed -n 's/^  \([a-z]*\)  *[a-z].*/\1/p' | sort | xargs)
+verbs=$(alone pulloff --help | sed -n 's/^  \([a-z][a-z-]*\)  *[a-z].*/\1/p' | sort | xargs)
 check 'there are verbs' test "$(echo "$verbs" | wc -w)" -ge 11
 offers 'verbs' "--help --version $verbs" pulloff ''
 offers 'a verb' solve pulloff so

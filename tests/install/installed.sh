@@ -37,7 +37,7 @@ if [ "$4" = true ] && command -v gnuplot >/dev/null; then
     --program "$work/prefix/bin/pulloff" --claim eq4-compactness
 fi
 
-check 'the manual pages' test "$(find "$work/prefix/share/man/man1" -name 'pulloff*.1' -size +0 | wc -l)" -eq 16
+check 'the manual pages' test "$(find "$work/prefix/share/man/man1" -name 'pulloff*.1' -size +0 | wc -l)" -eq 17
 if command -v man >/dev/null; then
   for page in "$work/prefix/share/man/man1"/*.1; do
     check "no fault in $(basename "$page")" \

@@ -1,0 +1,326 @@
+"""The law of contact for particle codes: its cubics against another solve, its invariance, its files as programs read them,
+and two particles that collide head on, integrated by a C program with the generated header, against the energy that the
+quasi-static path of the solver loses."""
+
+import csv
+import math
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+from conftest import document, expect, run
+
+SI = "--from-physical --modulus-pa 1.3385e9 --work-j-per-m2 0.0537 --distance-m 3.1e-10 --radius-m 2.7e-8"
+COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+needs_compiler = pytest.mark.skipif(not COMPILER, reason="no C compiler")
+
+
+def law(words):
+    """The knots of a law by branch, from its CSV table."""
+    text = expect(0, "", f"contact-law {words} --format csv").out
+    rows = list(csv.reader(line for line in text.splitlines() if not line.startswith("#")))
+    branches = {"out": [], "in": []}
+    for row in rows[1:]:
+        branches[row[0]].append([float(cell) for cell in row[1:]])
+    return branches, rows[0], text
+
+
+def cubic(knots, x, value=1, slope=2):
+    """Value and slope of the cubics between knots."""
+    k = next(k for k in range(1, len(knots)) if x <= knots[k][0] or k + 1 == len(knots))
+    a, b = knots[k - 1], knots[k]
+    h = b[0] - a[0]
+    t = (x - a[0]) / h
+    rise, p, q = b[value] - a[value], h * a[slope], h * b[slope]
+    return (a[value] + t * (p + t * (3 * rise - 2 * p - q + t * (p + q - 2 * rise))),
+            (p + t * (2 * (3 * rise - 2 * p - q) + t * 3 * (p + q - 2 * rise))) / h)
+
+
+def area(knots, low, high):
+    """Simpson's rule in each interval, which is exact for cubics."""
+    total = 0.0
+    for a, b in zip(knots, knots[1:]):
+        x, y = max(a[0], low), min(b[0], high)
+        if x < y:
+            total += (y - x) / 6 * (cubic([a, b], x)[0] + 4 * cubic([a, b], 0.5 * (x + y))[0] + cubic([a, b], y)[0])
+    return total
+
+
+@pytest.mark.parametrize("scene, error", [("--tabor 2.385", 1e-4), ("--tabor 0.8", 1e-5), ("--tabor 0.37", 1e-3), ("--tabor 7.3", 1e-4),
+                                          ("--tabor 1.37 --law morse:3", 1e-4), ("--profile cone:0.3 --coupling 0.4 --outer-radius 60", 1e-4),
+                                          ("--tabor 0 --radius 57", 1e-3)])
+def test_the_cubics_are_the_curve(scene, error):
+    """Another solve, with another tolerance and mesh, has its points on the cubics."""
+    branches, _, text = law(f"{scene} --error {error}")
+    preload = branches["in"][-1]
+    found = document(f"solve {scene} --preload {preload[0] * 0.999} --tolerance 3e-8 --want curve,hysteresis")
+    loop = found["hysteresis"]["displacement_control"]
+    unit = math.sqrt(found["input"]["radius"])
+    stable = {"out": [], "in": []}
+    jumps = {jump["phase"]: jump["before"] for jump in loop["jumps"]}
+    for point in found["curve"]:
+        if not jumps:
+            stable["in"].append(point)
+        elif point["position"] <= jumps["loading"]["position"]:
+            stable["out"].append(point)
+        elif point["position"] >= jumps["unloading"]["position"]:
+            stable["in"].append(point)
+    assert bool(branches["out"]) == bool(jumps)
+    pull_off = loop["pull_off"]["force"]
+    radius_error = float(text.split("contact radius within ")[1].split(";")[0])
+    compared = 0
+    for branch, points in stable.items():
+        knots = branches[branch]
+        for point in points:
+            if knots and knots[0][0] <= point["approach"] <= knots[-1][0]:
+                force, _ = cubic(knots, point["approach"])
+                assert abs(force - point["load"]) <= 1.01 * error * pull_off, (branch, point)
+                radius, _ = cubic(knots, point["approach"], 3, 4)
+                assert radius >= 0
+                # where contact begins without a jump it goes as a root, of which either solve has some points
+                if branches["out"] or point["contact_radius"] > 0.3 * unit:
+                    assert abs(radius - point["contact_radius"] / unit) < 5e-3 + radius_error, (branch, point)
+                compared += 1
+    assert compared > 50
+    assert knots[0][0] < knots[-1][0]
+    # Nothing acts beyond the table: what is cut off is less than the error.
+    assert abs((branches["out"] or branches["in"])[0][1]) <= error * pull_off
+    if jumps:
+        low, high = branches["in"][0][0], branches["out"][-1][0]
+        assert low == pytest.approx(jumps["unloading"]["approach"], abs=1e-6)
+        assert high == pytest.approx(jumps["loading"]["approach"], abs=1e-6)
+        lost = area(branches["out"], low, high) - area(branches["in"], low, high)
+        assert lost == pytest.approx(loop["energy_lost"], rel=1e-3, abs=3 * loop["energy_lost_error_estimate"])
+    # Monotone where the curve is: between knots the derivative has the sign of the chord.
+    for knots in branches.values():
+        for a, b in zip(knots, knots[1:]):
+            if abs(b[1] - a[1]) > 1e-3 * error * pull_off:
+                for k in range(1, 10):
+                    assert cubic([a, b], a[0] + k * (b[0] - a[0]) / 10)[1] * (b[1] - a[1]) >= 0
+
+
+def test_one_table_serves_the_same_tabor_parameter():
+    """Another radius, work, modulus and distance with the same Tabor parameter has the same law in reduced units."""
+    first, _, _ = law("--tabor 1.37 --radius 41")
+    second, _, _ = law("--tabor 1.37 --radius 370")
+    w, distance = 0.0537, 3.1e-10
+    for radius in 2e-8, 3e-7:
+        modulus = math.sqrt(radius * w**2 / (1.37**3 * distance**3))
+        si, names, text = law(f"--from-physical --modulus-pa {modulus!r} --work-j-per-m2 {w} --distance-m {distance} --radius-m {radius}")
+        assert names[1:3] == ["overlap_m", "force_n"] and "R = " in text
+        units = (distance, math.pi * w * radius, math.pi * w * radius / distance, math.sqrt(radius * distance))
+        for branch in first:
+            assert len(first[branch]) > 5
+            for overlap, force, stiffness, contact, _ in si[branch]:
+                x = overlap / units[0]
+                if not first[branch][0][0] <= x <= first[branch][-1][0]:
+                    continue
+                assert abs(force / units[1] - cubic(first[branch], x)[0]) < 4e-4
+                assert abs(contact / units[3] - cubic(first[branch], x, 3, 4)[0]) < 4e-3
+    for branch in first:
+        for x, force, _, contact, _ in second[branch]:
+            if not first[branch][0][0] <= x <= first[branch][-1][0]:
+                continue
+            assert abs(force - cubic(first[branch], x)[0]) < 4e-4
+            assert abs(contact - cubic(first[branch], x, 3, 4)[0]) < 4e-3
+
+
+def test_what_it_says_of_other_radii():
+    """The numbers of half and twice the radius are those of the Tabor parameter that these have."""
+    said = expect(0, "", "contact-law --tabor 2.385 --output law.h").out
+    for words, factor in (("half of R", 0.5), ("twice R", 2.0)):
+        line = next(line for line in said.splitlines() if words in line)
+        loop = document(f"solve --tabor {2.385 * factor**(1 / 3)!r} --want hysteresis")["hysteresis"]["displacement_control"]
+        assert f"jumps in at {loop['jumps'][0]['before']['approach']:.6g}" in line.replace(";", "")[:400] or \
+            abs(float(line.split("jumps in at ")[1].split(",")[0]) - loop["jumps"][0]["before"]["approach"]) < 1e-6
+
+
+def test_refusals():
+    two = "a contact has more than the two states, out and in, of a law with one jump each"
+    expect(2, f"pulloff: loading up to approach * jumps 4 times and unloading 3 times: {two}; expected a preload below approach *, "
+              "that of the second jump", "contact-law --tabor 3 --amplitude 1 --wavelength 20")
+    expect(3, "pulloff: the law has no connected branch up to the preload: *", "contact-law --tabor 2 --time-limit 1e-4")
+    expect(2, "pulloff: --format is lammps: expected c or csv, as only spheres *",
+           "contact-law --format lammps --profile cone:0.3 --coupling 0.4 --outer-radius 60")
+    expect(2, "pulloff: the preload overlaps the spheres by more than their radii: *", "contact-law --format lammps --tabor 2 --radius 3")
+    expect(2, "pulloff: the attraction falls so slowly that it is 1e-06 of the pull-off force only beyond 100000 epsilon: *",
+           "contact-law --error 1e-6 --profile cone:0.3 --coupling 0.4")
+    expect(2, "pulloff: --format is x: expected c, csv or lammps", "contact-law --format x")
+    expect(2, "pulloff: --error is 1: expected a number from 1e-6 to 0.01", "contact-law --error 1")
+    expect(2, "pulloff: --name is 3a: expected letters, digits and _*", "contact-law --name 3a")
+    expect(2, "pulloff: --preload is inf: expected a finite number*", "contact-law --preload inf")
+    expect(2, "pulloff: --stiffness has no effect here*", "contact-law --stiffness 3")
+
+
+def test_lammps():
+    """Index, distance, energy, force; the force is minus the derivative of the energy."""
+    branches, _, _ = law("--tabor 2.385")
+    text = expect(0, "", "contact-law --tabor 2.385 --radius 41 --format lammps --name PAIR").out
+    lines = text.splitlines()
+    begin = lines.index("PAIR")
+    assert all(line.startswith("#") or not line for line in lines[:begin]) and not lines[begin - 1] and not lines[begin + 2]
+    word, count, kind, low, high = lines[begin + 1].split()
+    rows = [[float(cell) for cell in line.split()] for line in lines[begin + 3:]]
+    assert (word, kind) == ("N", "R") and len(rows) == int(count) == 10000
+    assert rows[0][1] == float(low) and rows[-1][1] == float(high)
+    jump = branches["out"][-1][0]
+    for k, (index, distance, energy, force) in enumerate(rows):
+        assert index == k + 1
+        overlap = 4 * 41 - distance
+        assert force == pytest.approx(cubic(branches["in" if overlap > jump else "out"], min(overlap, branches["in"][-1][0]))[0], abs=1e-9)
+        if 0 < k < len(rows) - 1:
+            assert distance == pytest.approx(float(low) + k * (float(high) - float(low)) / (len(rows) - 1), rel=1e-14)
+            near = min(abs(4 * 41 - rows[k + d][1] - jump) for d in (-1, 0, 1))
+            if near > 0.3:
+                slope = (rows[k + 1][2] - rows[k - 1][2]) / (rows[k + 1][1] - rows[k - 1][1])
+                assert force == pytest.approx(-slope, abs=2e-4 * max(1, abs(force)))
+    assert abs(rows[-1][2]) < 1e-12 and "branch of loading alone" in text
+    assert "the whole law" in expect(0, "", "contact-law --tabor 0.37 --format lammps").out
+
+
+COLLIDE = r"""
+#include <stdio.h>
+#include <stdlib.h>
+#include "law.h"
+
+static int changes; /* of the state */
+
+/* Two particles of unit reduced mass from FAR on; velocity Verlet. Returned: their speed when they are as far apart again,
+ * 0 if they stick. */
+static double collide(double speed, double step) {
+  double overlap = LAW_FAR, velocity = speed, stiffness, radius;
+  int state = 0, leaves = 0;
+  double force = law(overlap, &state, &stiffness, &radius);
+  changes = 0;
+  for (long k = 0; k < 400000000; ++k) {
+    const double now = overlap < -20.0 ? 20.0 * step : step; /* far out the force is small and smooth */
+    const double half = velocity - 0.5 * now * force;
+    const int before = state;
+    overlap += now * half;
+    force = law(overlap, &state, &stiffness, &radius);
+    changes += state != before;
+    velocity = half - 0.5 * now * force;
+    if (overlap < LAW_FAR)
+      return -velocity;
+    leaves = leaves || velocity < 0.0;
+    if (leaves && velocity > 0.0)
+      return 0.0; /* it turned back: it sticks */
+  }
+  return 0.0;
+}
+
+int main(int argc, char **argv) {
+  for (int k = 2; k < argc; ++k) {
+    const double left = collide(atof(argv[k]), atof(argv[1]) / (1.0 + atof(argv[k])));
+    printf("%.17g %.17g %d\n", atof(argv[k]), left, changes);
+  }
+  return 0;
+}
+"""
+
+FORCE = r"""
+#include <stdio.h>
+#include <stdlib.h>
+#include "law.h"
+
+int main(int argc, char **argv) {
+  int state = 0;
+  for (int k = 1; k < argc; ++k) {
+    double stiffness, radius;
+    const double force = law(atof(argv[k]), &state, &stiffness, &radius);
+    printf("%.17g %.17g %.17g %d\n", force, stiffness, radius, state);
+  }
+  return 0;
+}
+"""
+
+
+def compiled(source, words):
+    """A program with the header of a scene, compiled without a warning."""
+    said = expect(0, "", f"contact-law {words} --name law --output law.h").out
+    pathlib.Path("program.c").write_text(source)
+    subprocess.run([COMPILER, "-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "program.c", "-o", "program", "-lm"],
+                   check=True)
+    return said
+
+
+def numbers(*words):
+    done = subprocess.run(["./program", *map(repr, words)], capture_output=True, text=True, check=True)
+    return [[float(word) for word in line.split()] for line in done.stdout.splitlines()]
+
+
+@needs_compiler
+@pytest.mark.parametrize("tabor", [2.385, 1.0])
+def test_two_particles_collide(tabor):
+    """The kinetic energy falls by what the quasi-static path of the solver loses, so that e^2 = 1 - (v_s/v)^2 with the sticking
+    speed v_s = sqrt(2 E/m); from 0.2 to 20 v_s. The fast ones go beyond the table, where Hertz continues it."""
+    compiled(COLLIDE, f"--tabor {tabor}")
+    loop = document(f"solve --tabor {tabor} --tolerance 1e-7 --want hysteresis")["hysteresis"]["displacement_control"]
+    lost = loop["energy_lost"]
+    sticking = math.sqrt(2 * lost)
+    step = 1e-4
+    for factor in 0.2, 0.97:
+        [[_, left, changes]] = numbers(step, sticking * factor)
+        assert left == 0 and changes >= 1, "it sticks"
+    for factor in 1.03, 1.5, 4, 20:
+        [[_, left, changes]] = numbers(step, sticking * factor)
+        assert changes == 2, "once in and once out"
+        # 1e-3 of the energy lost, as is promised of the table, and the rounding of time steps at jumps and far out
+        assert (factor * sticking) ** 2 - left**2 == pytest.approx(2 * lost, rel=2e-3), factor
+        assert left / (factor * sticking) == pytest.approx(math.sqrt(1 - factor**-2), abs=4e-3 / (factor**2 - 1) ** 0.5)
+    low, high = 0.98, 1.02  # the sticking speed itself
+    for _ in range(5):
+        middle = 0.5 * (low + high)
+        [[_, left, _]] = numbers(step, sticking * middle)
+        low, high = (low, middle) if left else (middle, high)
+    assert 0.5 * (low + high) == pytest.approx(1, abs=1.5e-3)
+
+
+@needs_compiler
+def test_a_law_without_jumps_loses_nothing():
+    compiled(COLLIDE, "--tabor 0.37")
+    for speed in 0.05, 0.5, 5:
+        [[_, left, changes]] = numbers(1e-3, speed)
+        assert changes == 0 and left == pytest.approx(speed, rel=1e-4)
+
+
+@needs_compiler
+@pytest.mark.parametrize("scene", ["--tabor 2.385", SI])
+def test_the_header(scene):
+    """The state goes in at one jump and out at the other; beyond the table Hertz is the solver's force."""
+    said = compiled(FORCE, scene)
+    branches, _, _ = law(scene)
+    into, out_of = branches["out"][-1][0], branches["in"][0][0]
+    scale = abs(into)
+    end = branches["in"][-1]
+    path = [-1000 * scale, into - 1e-9 * scale, into + 1e-9 * scale, 0.5 * (into + out_of), out_of + 1e-9 * scale,
+            out_of - 1e-9 * scale, 0.5 * (into + out_of), end[0]]
+    found = numbers(*path)
+    assert [int(state) for *_, state in found] == [0, 0, 1, 1, 1, 0, 0, 1]
+    assert found[0][:3] == [0, 0, 0]
+    for x, (force, stiffness, radius, state) in zip(path[1:], found[1:]):
+        knots = branches["in" if state else "out"]
+        wanted = cubic(knots, x)
+        assert force == pytest.approx(wanted[0], rel=1e-12) and stiffness == pytest.approx(wanted[1], rel=1e-9)
+        assert radius == pytest.approx(cubic(knots, x, 3, 4)[0], rel=1e-12, abs=1e-15)
+    assert "Hertz with the same force and stiffness there" in said
+    key, part = ("preload-load-n", "physical") if "physical" in scene else ("preload-load", None)
+    harder = 6 * end[1]
+    d = document(f"solve {scene} --{key} {harder!r} --want hysteresis")
+    state = (d["physical"] if part else d)["hysteresis"]["displacement_control"]["preload"]
+    approach, load = (state["approach_m"], state["load_n"]) if part else (state["approach"], state["load"])
+    [*_, [force, *_]] = numbers(*path, approach)
+    assert force == pytest.approx(load, rel=1e-3)
+
+
+def test_output_and_names():
+    shown = expect(0, "", "contact-law --tabor 2.385").out
+    said = expect(0, "", "contact-law --tabor 2.385 --name my_law --output my.h").out
+    text = pathlib.Path("my.h").read_text()
+    assert "static inline double my_law(" in text and "#define MY_LAW_JUMP_IN" in text
+    assert text.replace("my_law", "pulloff_law").replace("MY_LAW", "PULLOFF_LAW") == shown
+    assert "holds for all pairs of particles with R w^2/(E*^2 epsilon^3) = 13.5" in said
+    assert run("contact-law --tabor 2.385 --output no/such/folder.h").code == 4
+    repeated = next(line for line in said.splitlines() if line.startswith("made by: pulloff ")).removeprefix("made by: pulloff ")
+    assert expect(0, "", repeated).out == shown
