@@ -174,7 +174,8 @@ def in_si(found):
     points.append(NAMELESS | {"key": "contact", "of": "physical_contact", "omitted": "1"})
     points.append(NAMELESS | {"key": "profile_approach_m", "type": "number", "null": "as in `solve`", "omitted": "1"})
     said["record_physical"] = [units, *map(changed, result)]
-    said["physical"] = [NAMELESS | {"key": "input", "of": "physical_input"}, *said["record_physical"], *points]
+    bodies = NAMELESS | {"key": "bodies", "of": "bodies", "omitted": "1"}
+    said["physical"] = [NAMELESS | {"key": "input", "of": "physical_input"}, bodies, *said["record_physical"], *points]
     return said
 
 

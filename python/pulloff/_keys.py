@@ -3,7 +3,7 @@ them, python3 tests/python/keys.py --write makes it anew."""
 
 from typing import TypedDict
 
-from ._values import Name, Names, Number, Path, Waves
+from ._values import Name, Names, Number, Pair, Path, Waves
 
 
 class Keys(TypedDict, total=False):
@@ -47,9 +47,11 @@ class Keys(TypedDict, total=False):
     outer_ratio: Number
     coupling: Number
     modulus_pa: Number
+    young_pa: Pair
+    poisson: Pair
     work_j_per_m2: Number
     distance_m: Number
-    radius_m: Number
+    radius_m: Pair
     amplitude_m: Number
     wavelength_m: Number
     outer_radius_m: Number

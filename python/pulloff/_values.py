@@ -23,6 +23,7 @@ Name = Optional[str]
 Names = Union[str, list[str], tuple[str, ...], set[str], frozenset[str], None]
 Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes], None]
 Waves = Union[str, Sequence[Sequence[Number]], np.ndarray, None]
+Pair = Union[Number, Sequence[Number]]  # of two bodies, or of one
 
 BAD_INPUT = -1
 
@@ -45,7 +46,7 @@ def keys() -> dict[str, str]:
 
 KEYS = keys()
 
-_LISTS = {"waves": ", or [(A, L), ...]", "want": ", or a list of them"}
+_LISTS = {"waves": ", or [(A, L), ...]", "want": ", or a list of them"} | dict.fromkeys(("young_pa", "poisson", "radius_m"), ", or a pair")
 
 
 def shown(value: object) -> str:
@@ -155,7 +156,15 @@ def _waves(value: object) -> str | None:
     return ";".join(waves) or "-"
 
 
-_OTHERS: dict[str, Callable[[object], str | None]] = {"profile_file": _path, "want": _names, "waves": _waves}
+def _pair(value: object) -> str | None:
+    if not isinstance(value, (list, tuple)) or len(value) != 2:
+        return number(value)
+    both = [part if isinstance(part, str) else number(part) for part in value]
+    return None if None in both else ",".join(map(str, both))
+
+
+_OTHERS: dict[str, Callable[[object], str | None]] = {"profile_file": _path, "want": _names, "waves": _waves,
+                                                      "young_pa": _pair, "poisson": _pair, "radius_m": _pair}
 
 
 def text_of(key: str, value: object) -> str | None:

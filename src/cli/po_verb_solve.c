@@ -86,7 +86,8 @@ static const po_option OPTIONS[] = {PO_SOLVE_LINE_OPTIONS, {0}};
 /* The number of a key, as it was given last. */
 typedef struct {
   int key;
-  const char *text; /* of the option, without the uncertainty */
+  const char *text; /* of the option, without uncertainties */
+  int body;         /* of two with a comma between, 0 or 1 */
   double value, deviation;
 } uncertain_number;
 
@@ -112,20 +113,14 @@ static bool may_vary(int key) {
   if (key < 0 || key >= PO_KEY_ALL)
     return false;
   const po_key target = po_key_target(key);
-  return po_key_is_continuous(key) || key == PO_KEY_TABLE_SCALE || target == PO_KEY_PRELOAD ||
-         target == PO_KEY_PRELOAD_LOAD;
+  return po_key_is_continuous(key) || po_key_is_pair(key) || key == PO_KEY_TABLE_SCALE ||
+         target == PO_KEY_PRELOAD || target == PO_KEY_PRELOAD_LOAD;
 }
 
-/* Reads a number with its uncertainty, and cuts the latter off the option. */
-static po_status read_uncertain(char *text, int option, uncertain_number *number) {
+/* Refuses a number with its uncertainty. */
+static po_status refuse_uncertain(const char *text, int option) {
   const int key = option - PO_OPTION_KEYS;
-  char *sign = strstr(text, SIGN), name[PO_FLAG_LENGTH];
-  *number = (uncertain_number){.key = key, .text = text};
-  *sign = '\0';
-  if (may_vary(key) && po_number_parse(text, &number->value) &&
-      po_number_parse(sign + strlen(SIGN), &number->deviation) && number->deviation > 0.0)
-    return PO_OK;
-  *sign = *SIGN;
+  char name[PO_FLAG_LENGTH];
   if (option < PO_OPTION_ROWS)
     po_key_flag(key, name);
   return po_options_refuse(option < PO_OPTION_ROWS ? name : OPTIONS[option - PO_OPTION_ROWS].name,
@@ -134,15 +129,52 @@ static po_status read_uncertain(char *text, int option, uncertain_number *number
                                          : "a value without uncertainty");
 }
 
+/* Reads one number with its uncertainty, which ends at `end`, and cuts the latter off. Returned:
+ * false if it is none. */
+static bool cut_uncertainty(char *number, char *end, uncertain_number *read) {
+  char *sign = strstr(number, SIGN), after = *end;
+  *sign = *end = '\0';
+  const bool valid = po_number_parse(number, &read->value) &&
+                     po_number_parse(sign + strlen(SIGN), &read->deviation) &&
+                     read->deviation > 0.0;
+  *sign = *SIGN;
+  *end = after;
+  if (valid)
+    memmove(sign, end, strlen(end) + 1);
+  return valid;
+}
+
+/* Reads the uncertain numbers of an option, two if it has one for each body, and cuts their
+ * uncertainties off. */
+static po_status read_uncertain(uncertain_line *u, char *text, int option) {
+  const int key = option - PO_OPTION_KEYS;
+  char *number = text;
+  if (!may_vary(key))
+    return refuse_uncertain(text, option);
+  for (int body = 0; number; ++body) {
+    char *comma = po_key_is_pair(key) ? strchr(number, ',') : NULL;
+    const char *sign = strstr(number, SIGN);
+    if (sign && (!comma || sign < comma)) {
+      uncertain_number *grown = po_grow(u->uncertain, u->count, &u->room, sizeof *grown);
+      if (!grown)
+        return PO_NO_MEMORY;
+      u->uncertain = grown;
+      grown[u->count] = (uncertain_number){.key = key, .text = text, .body = body};
+      if (!cut_uncertainty(number, comma ? comma : number + strlen(number), &grown[u->count]))
+        return refuse_uncertain(text, option);
+      u->count += 1;
+      comma = po_key_is_pair(key) ? strchr(number, ',') : NULL;
+    }
+    number = comma ? comma + 1 : NULL;
+  }
+  return PO_OK;
+}
+
 /* Takes one option of the command line. */
 static po_status take(void *to, int option) {
   uncertain_line *u = to;
   if (optarg && strstr(optarg, SIGN)) {
-    uncertain_number *grown = po_grow(u->uncertain, u->count, &u->room, sizeof *grown);
-    if (!grown)
-      return PO_NO_MEMORY;
-    u->uncertain = grown;
-    const po_status status = read_uncertain(optarg, option, &grown[u->count++]);
+    const po_status status = read_uncertain(u, optarg, option);
     if (status)
       return status;
   }
@@ -153,8 +185,12 @@ static po_status take(void *to, int option) {
 static po_status move(const po_solve_line *line, const uncertain_number *number, double by,
                       po_request *request) {
   po_solve_line moved = *line;
-  char text[PO_NUMBER_LENGTH];
-  po_number_print(number->value + by, text);
+  char text[3 * PO_NUMBER_LENGTH], value[PO_NUMBER_LENGTH];
+  const char *comma = po_key_is_pair(number->key) ? strchr(number->text, ',') : NULL;
+  po_number_print(number->value + by, value);
+  snprintf(text, sizeof text, "%.*s%s%s",
+           comma && number->body ? (int)(comma + 1 - number->text) : 0, number->text, value,
+           comma && !number->body ? comma : "");
   moved.warned = true;
   moved.scene.given.text[number->key] = text;
   moved.request = po_input_default();
@@ -169,6 +205,8 @@ static po_status vary(uncertain_line *u, const uncertain_number *number, size_t 
   po_status status = PO_OK;
   *v = (po_variation){.value = number->value, .deviation = number->deviation};
   po_key_flag(number->key, v->source);
+  if (po_key_is_pair(number->key) && strchr(number->text, ','))
+    strcat(v->source, number->body ? " of body 2" : " of body 1");
   for (int more = 0; more < 2 && !status; ++more) {
     po_request *moved = &u->moved[2 * index + (size_t)more];
     const double by = PO_VARIATION_REACH * number->deviation;

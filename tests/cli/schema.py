@@ -46,6 +46,8 @@ SOLVES = [
     (f"--tabor 3 {WAVES} --tolerance 1e-4 --want hysteresis,preload,profile", 0),
     (f"--tabor 3 {WAVES} --tolerance 1e-4 --preload inf --want theories", 0),
     ("--from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8 --want theories", 0),
+    ("--from-physical --young-pa 160e9,5e9+-1e8 --poisson 0.22,0.4 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8,6e-8 --tolerance 1e-4", 0),
+    ("--from-physical --young-pa 5e9 --poisson 0.4 --work-j-per-m2 0.08 --distance-m 3e-10 --profile punch:1e-9,5e-9 --tolerance 1e-4", 0),
     ("--profile power:0.005,2 --radius 100 --tolerance 1e-4", 0),
     ("--profile-file table.csv --radius 100 --outer-radius 40 --tolerance 1e-4", 0),
     ("--tabor 3 --time-limit 1e-9", 3),
@@ -67,7 +69,8 @@ THEORIES = [
     f"bradley {SI} --approach-m -1e-10", f"rigid {WAVY_SI} --approach-m -1e-10", f"jkr {SI} --contact-radius-m 6e-9",
     f"guduru {WAVY_SI} --contact-radius-m 6e-9", f"kesari-lew {WAVY_SI} --contact-radius-m 6e-9",
     f"persson-tosatti {WAVY_SI}", f"rumpf-rabinowicz {WAVY_SI}", f"compactness {WAVY_SI}", f"crest {WAVY_SI}",
-    f"lennard-jones {SI} --gap 0.2", "jkr --profile cone:0.3 --coupling 0.05 --contact-radius 3",
+    f"lennard-jones {SI} --gap 0.2", "jkr --from-physical --young-pa 5e9 --poisson 0.4 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8,6e-8",
+    "jkr --profile cone:0.3 --coupling 0.05 --contact-radius 3",
     "maugis --tabor 1 --contact-radius 9", f"jkr {SI} --wave 1e-10,5e-9 --contact-radius-m 6e-9",
     f"maugis {SI} --contact-radius-m 6e-9", "rigid --law morse:2 --approach 0.1",
 ]

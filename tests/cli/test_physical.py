@@ -270,3 +270,61 @@ def test_slips_of_units_are_remarked(option, value, words):
     command = "theory jkr --from-physical " + " ".join(f"--{key} {text}" for key, text in (scene | {option: value}).items())
     expect(0, f"pulloff: warning: --{option} is {words}", command)
     expect(0, "", "theory jkr --from-physical " + " ".join(f"--{key} {text}" for key, text in scene.items()))
+
+
+TWO = "--from-physical --work-j-per-m2 0.0537 --distance-m 3.1e-10 --tolerance 1e-4"
+
+
+def contact(*bodies):
+    """E* of bodies with Young's modulus and Poisson's ratio."""
+    return 1 / sum((1 - nu**2) / e for e, nu in bodies)
+
+
+@pytest.mark.parametrize("bodies, radii", [([(160e9, 0.22), (2.385e9, 0.41)], [2.7e-8, 4.1e-8]), ([(2.385e9, 0.41)], [2.7e-8]),
+                                           ([(2.385e9, 0.5), (7.1e9, -0.3)], [2.7e-8, math.inf])])
+def test_two_bodies_are_their_contact_modulus_and_radius(bodies, radii):
+    words = (f"--young-pa {','.join(repr(e) for e, _ in bodies)} --poisson {','.join(repr(nu) for _, nu in bodies)} "
+             f"--radius-m {','.join(repr(r) for r in radii if r < math.inf)}")
+    modulus, radius = contact(*bodies), 1 / sum(1 / r for r in radii)
+    two = document(f"solve {TWO} {words}")
+    one = document(f"solve {TWO} --modulus-pa {modulus!r} --radius-m {radius!r}")
+    assert near(two["physical"]["bodies"]["modulus_pa"], modulus) and near(two["physical"]["bodies"]["radius_m"], radius)
+    assert "bodies" not in one["physical"]
+    for key in "tabor", "radius":
+        assert near(two["input"][key], one["input"][key]), key
+    assert near(two["physical"]["pull_off"]["force_n"], one["physical"]["pull_off"]["force_n"], 1e-9)
+    line = next(line for line in expect(0, "", f"solve {TWO} {words}").out.splitlines() if line.startswith("bodies   contact modulus E*"))
+    said = [float(word) for word in re.findall(r"[-0-9.e+]+(?= Pa| m)", line)]
+    assert near(said[0], modulus, 1e-9) and near(said[1], radius, 1e-9)
+    # the other verbs take them, too
+    assert near(document(f"theory jkr {TWO.replace('--tolerance 1e-4', '')} {words}")["physical"]["bodies"]["modulus_pa"], modulus)
+
+
+def test_uncertain_bodies():
+    """Each number of a pair is a source of its own: d ln F by d ln E of one body is that of E*, times its part of the compliance."""
+    bodies = [(9e9, 0.22), (2e9, 0.4)]
+    scene = f"solve {TWO} --radius-m 2e-8,5e-8"
+    found = document(f"{scene} --young-pa 9e9+-1e8,2e9+-3e7 --poisson 0.22,0.4+-0.01")["uncertainty"]["sources"]
+    assert [s["source"] for s in found] == ["young-pa of body 1", "young-pa of body 2", "poisson of body 2"]
+    assert [(s["value"], s["deviation"]) for s in found] == [(9e9, 1e8), (2e9, 3e7), (0.4, 0.01)]
+    modulus = contact(*bodies)
+    whole = document(f"{scene} --modulus-pa {modulus!r}+-{modulus / 100!r}")["uncertainty"]["sources"][0]["force"]
+    for source, (e, nu), change in ((found[0], bodies[0], 1e8 / 9e9), (found[1], bodies[1], 3e7 / 2e9)):
+        part = (1 - nu**2) / e * modulus
+        assert source["force"] == pytest.approx(whole * 100 * change * part, rel=0.05)
+    [radius] = document(f"solve {TWO} --modulus-pa 2e9 --radius-m 2e-8+-1e-10,5e-8")["uncertainty"]["sources"]
+    assert radius["source"] == "radius-m of body 1" and radius["force"] > 0
+
+
+@pytest.mark.parametrize("words, message", [
+    ("--young-pa 1e9", "--poisson is missing: expected a number from -1 to 0.5, or two with a comma between, beside --young-pa"),
+    ("--poisson 0.3", "--young-pa is missing: expected *, beside --poisson"),
+    ("--young-pa 1e9,2e9 --poisson 0.3", "--poisson is 0.3: expected one number for each of --young-pa"),
+    ("--young-pa 1e9 --poisson 0.51", "--poisson is 0.51: expected a number from -1 to 0.5, or two with a comma between"),
+    ("--young-pa 1e9,2e9,3e9 --poisson 0.3,0.3", "--young-pa is 1e9,2e9,3e9: expected a number > 0 or inf, or two with a comma between"),
+    ("--young-pa 1e9 --poisson 0.3 --modulus-pa 1e9", "--young-pa is 1e9: expected it to be left out beside --modulus-pa, the contact modulus"),
+    ("--young-pa 1e9+-,2e9 --poisson 0.3,0.3", "--young-pa is 1e9+-,2e9: expected a number, or with +- a number and its uncertainty > 0")])
+def test_wrong_bodies(words, message):
+    expect(2, f"pulloff: {message}", f"solve {TWO} --radius-m 2e-8 {words}")
+    expect(2, "pulloff: --radius-m is 2e-8,-1: expected a finite number > 0, or two with a comma between",
+           f"solve {TWO} --modulus-pa 1e9 --radius-m 2e-8,-1")

@@ -106,12 +106,12 @@ BOTH = ("expected none of tabor, amplitude, wavelength, radius, outer_radius, th
     (2, "9: sweep[[]1].key is alpha: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: alpha, values: [1]}]"}),
     (2, "5: scene.physical.modulus_pa is -1: expected a finite number > 0, or inf", "modulus_pa: -1, " + BODY, {}),
     (2, "5: scene.physical.modulus_pa is 1 GPa: expected a finite number > 0, or inf; a unit or other text follows the number", "modulus_pa: 1 GPa, " + BODY, {}),
-    (2, "5: scene.physical.radius_m is missing: expected a finite number > 0; a scene in SI units has *",
+    (2, "5: scene.physical.radius_m is missing: expected a finite number > 0, or two with a comma between; a scene in SI units has *",
      "modulus_pa: 1e9, work_j_per_m2: 0.05, distance_m: 3e-10", {}),
     (2, "8: scene.preload_load is 1: expected only this key, or that of scene.physical",
      TIP + ", radius_m: 3e-8, preload_load_n: 1e-9", {"scene": "  preload_load: 1"}),
     (2, "5: scene.physical.preload_load_n is -1: expected a finite number >= 0", TIP + ", radius_m: 3e-8, preload_load_n: -1", {}),
-    (2, "5: scene.physical.radius is unknown: expected one of modulus_pa, work_j_per_m2, *", f"modulus_pa: 1e9, {BODY}, radius: 3", {})])
+    (2, "5: scene.physical.radius is unknown: expected one of modulus_pa, young_pa, poisson, *", f"modulus_pa: 1e9, {BODY}, radius: 3", {})])
 def test_wrong_scenes(data, code, message, physical, more):
     write(data, physical, **more)
     expect(code, "pulloff: cases/si.yaml:" + message, "plan si")
@@ -185,3 +185,14 @@ def test_tables_whose_units_cannot_be_used(data):
     data.case("si", TABLE.format(TIP, "pull_off", "pull_off_force", "1", "abs").replace(
         "physical: {" + TIP + ", radius_m: 3e-8}", "tabor: 1\n  radius: 100\n  outer_radius: inf"))
     expect(4, "pulloff: " + data.message, "verify si --output run")
+
+
+def test_two_bodies(data):
+    """Bodies as they are given, in a case as on the command line."""
+    write(data, 'young_pa: "9e9,2e9", poisson: "0.22,0.4", radius_m: "2e-8,5e-8", work_j_per_m2: 0.05, distance_m: 3e-10')
+    expect(0, "*", "run si --output run")
+    d = document("solve --from-physical --young-pa 9e9,2e9 --poisson 0.22,0.4 --radius-m 2e-8,5e-8 --work-j-per-m2 0.05 "
+                 "--distance-m 3e-10 --tolerance 1e-7 --preload-load 1"
+                 .replace("--preload-load 1", f"--preload-load-n {math.pi * 0.05 / (1 / 2e-8 + 1 / 5e-8)!r}"))
+    assert point()["input"]["tabor"] == d["input"]["tabor"]
+    assert abs(point()["pull_off"]["force"] / d["pull_off"]["force"] - 1) < 1e-9

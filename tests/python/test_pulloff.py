@@ -112,6 +112,18 @@ class SameNumbers(unittest.TestCase):
         self.assertEqual(scene.units.traction, physical["units"]["traction_pa"])
         self.assertIsNone(pulloff.Scene(tabor=2).units)
 
+    def test_two_bodies(self):
+        shown = program("solve", "--from-physical", "--young-pa", "9e9,2e9", "--poisson", "0.22,0.4", "--radius-m", "2e-8,5e-8",
+                        "--work-j-per-m2", "0.05", "--distance-m", "3e-10")
+        shown.pop("physical")
+        rest = {"work_j_per_m2": 0.05, "distance_m": 3e-10}
+        for young, poisson, radius in (((9e9, 2e9), [0.22, 0.4], (2e-8, 5e-8)), ("9e9,2e9", ("0.22", "0.4"), "2e-8,5e-8")):
+            result = pulloff.solve(young_pa=young, poisson=poisson, radius_m=radius, **rest)
+            self.assertEqual(timeless(shown), timeless(result.document))
+        for wrong in (9e9, 2e9, 1e9), (9e9, None), True:
+            with self.assertRaisesRegex(pulloff.Error, "^young_pa is .*: expected .*, or a pair"):
+                pulloff.Scene(young_pa=wrong, poisson=(0.3, 0.3), radius_m=1e-8, **rest)
+
     def test_keys_in_si_units(self):
         tip = {"modulus_pa": 2e9, "work_j_per_m2": 0.05, "distance_m": 3e-10, "radius_m": 1e-7}
         options = ["--from-physical"] + [word for key, value in {**tip, "preload_load_n": 2e-9, "stiffness_n_per_m": 2.0}.items()
@@ -127,7 +139,7 @@ class SameNumbers(unittest.TestCase):
             self.assertEqual(one.units.force, math.pi * 0.05 * radius)
             alone = pulloff.solve(radius_m=radius, **tip)
             self.assertAlmostEqual(one.pull_off.force / alone.pull_off.force, 1, 6)
-        with self.assertRaisesRegex(pulloff.Error, "radius_m is missing: expected a finite number > 0; .*"):
+        with self.assertRaisesRegex(pulloff.Error, "radius_m is missing: expected a finite number > 0, or two .*; .*"):
             pulloff.solve(**tip)
         with self.assertRaisesRegex(pulloff.Error, "expected only one of preload_load and preload_load_n"):
             pulloff.solve(**tip, radius_m=1e-7, preload_load=1, preload_load_n=1e-9)

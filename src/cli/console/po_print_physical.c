@@ -51,7 +51,13 @@ json_t *po_json_physical_input(const po_texts *given, const po_units *units) {
       po_json_set(&input, PO_KEYS[key_at(i)].name,
                   po_number_parse(text, &value) ? po_json_number(value) : po_json_text(text));
   }
-  return PO_JSON_OBJECT({"input", input}, {"units", po_json_units(units)});
+  json_t *object = PO_JSON_OBJECT({"input", input}, {"units", po_json_units(units)});
+  double modulus, radius;
+  if (po_texts_bodies(given, &modulus, &radius))
+    po_json_set(&object, "bodies",
+                PO_JSON_OBJECT({"modulus_pa", po_json_number(modulus)},
+                               {"radius_m", po_json_number(radius)}));
+  return object;
 }
 
 json_t *po_json_physical(const po_texts *given, const po_request *request,
@@ -59,6 +65,19 @@ json_t *po_json_physical(const po_texts *given, const po_request *request,
   json_t *object = po_json_physical_input(given, &request->units);
   po_json_set_all(&object, po_json_document_in_si(request, result));
   return object;
+}
+
+/* The contact modulus and the radius that follow from two bodies. */
+static void print_bodies(const po_texts *given) {
+  double modulus, radius;
+  if (!po_texts_bodies(given, &modulus, &radius))
+    return;
+  printf("bodies  ");
+  if (!isnan(modulus))
+    printf(" contact modulus E* %.10g Pa", modulus);
+  if (!isnan(radius))
+    printf("%s radius R %.10g m", isnan(modulus) ? "" : ",", radius);
+  printf("\n");
 }
 
 void po_print_physical_input(const po_texts *given) {
@@ -70,6 +89,7 @@ void po_print_physical_input(const po_texts *given) {
       printf(" %s %s", PO_KEYS[key_at(i)].name, text);
   }
   printf("\n");
+  print_bodies(given);
 }
 
 /* The greatest numbers of the special points, or of a pull-off, and their units. */

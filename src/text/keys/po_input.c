@@ -14,6 +14,9 @@ typedef enum {
   POSITIVE_OR_INFINITE_DOMAIN,
   POSITIVE_OR_AUTO_DOMAIN,
   FINITE_OR_INFINITE_DOMAIN,
+  RADII_DOMAIN, /* this and the next two: one number, or two with a comma between */
+  MODULI_DOMAIN,
+  RATIOS_DOMAIN,
   COUNT_DOMAIN,
   NAME_DOMAIN
 } value_type;
@@ -26,6 +29,9 @@ typedef enum {
 #define POSITIVE_OR_INFINITE OTHER(POSITIVE_OR_INFINITE, "a finite number > 0, or inf")
 #define ANY_NUMBER OTHER(ANY_NUMBER, "a finite number")
 #define FINITE_OR_INFINITE OTHER(FINITE_OR_INFINITE, "a finite number, or inf")
+#define RADII OTHER(RADII, "a finite number > 0, or two with a comma between")
+#define MODULI OTHER(MODULI, "a number > 0 or inf, or two with a comma between")
+#define RATIOS OTHER(RATIOS, "a number from -1 to 0.5, or two with a comma between")
 #define COUNT OTHER(COUNT, "a whole number > 0")
 #define NUMBER PO_DIMENSION_NONE
 #define LENGTH PO_DIMENSION_LENGTH
@@ -172,7 +178,34 @@ static bool parse_or_infinity(const char *text, double *value) {
   return po_number_parse(text, value);
 }
 
+bool po_key_is_pair(po_key key) {
+  return key >= 0 && PO_KEYS[key].domain >= RADII_DOMAIN && PO_KEYS[key].domain <= RATIOS_DOMAIN;
+}
+
+/* Whether a body may have a number of a pair. */
+static bool is_of_body(value_type domain, double value) {
+  return domain == RATIOS_DOMAIN ? value > -1.0 && value <= 0.5
+                                 : value > 0.0 && (domain == MODULI_DOMAIN || isfinite(value));
+}
+
+size_t po_key_parse_pair(po_key key, const char *text, double value[2]) {
+  char first[PO_KEY_TEXT_LENGTH];
+  const value_type domain = (value_type)PO_KEYS[key].domain;
+  const size_t length = strcspn(text, ",");
+  const bool two = text[length] == ',';
+  if (length >= sizeof first)
+    return 0;
+  memcpy(first, text, length);
+  first[length] = '\0';
+  for (int k = 0; k < 1 + two; ++k)
+    if (!parse_or_infinity(k ? text + length + 1 : first, &value[k]) ||
+        !is_of_body(domain, value[k]))
+      return 0;
+  return 1 + two;
+}
+
 bool po_key_parse(po_key key, const char *text, double *value) {
+  double pair[2];
   switch ((value_type)PO_KEYS[key].domain) {
   case ANY_NUMBER_DOMAIN:
     return po_number_parse(text, value);
@@ -185,6 +218,19 @@ bool po_key_parse(po_key key, const char *text, double *value) {
   case POSITIVE_OR_AUTO_DOMAIN:
     *value = INFINITY;
     return strcmp(text, "auto") == 0 || (po_number_parse(text, value) && *value > 0);
+  case RADII_DOMAIN:
+  case MODULI_DOMAIN:
+  case RATIOS_DOMAIN:
+    switch (po_key_parse_pair(key, text, pair)) {
+    case 2: /* 1/R = 1/R1 + 1/R2 */
+      *value = PO_KEYS[key].domain == RADII_DOMAIN ? pair[0] / (1.0 + pair[0] / pair[1]) : pair[0];
+      return true;
+    case 1:
+      *value = pair[0];
+      return true;
+    default:
+      return false;
+    }
   case FINITE_OR_INFINITE_DOMAIN:
     return parse_or_infinity(text, value) && *value > -INFINITY;
   default:

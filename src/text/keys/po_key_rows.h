@@ -107,10 +107,14 @@
 #define PO_SI_ROWS(X) \
   X(MODULUS_PA, "modulus_pa", POSITIVE_OR_INFINITE, NUMBER, SI, NO_PLACE, VARIES, EVERY, "E", \
     HELP("contact modulus E* of the two bodies, in Pa; inf is a rigid sphere")) \
+  X(YOUNG_PA, "young_pa", MODULI, NUMBER, SI, NO_PLACE, CONSTANT, EVERY, "E1[,E2]", \
+    HELP("Young's moduli of the two bodies, in Pa, instead of E*; one number: the other body is rigid")) \
+  X(POISSON, "poisson", RATIOS, NUMBER, SI, NO_PLACE, CONSTANT, EVERY, "N1[,N2]", \
+    HELP("Poisson's ratio of each body of --young-pa")) \
   X(WORK_J_PER_M2, "work_j_per_m2", POSITIVE, NUMBER, SI, NO_PLACE, VARIES, EVERY, "W", HELP("work of adhesion, in J/m^2")) \
   X(DISTANCE_M, "distance_m", POSITIVE, LENGTH, SI, NO_PLACE, VARIES, EVERY, "EPSILON", HELP("equilibrium distance, in m")) \
-  X(RADIUS_M, "radius_m", POSITIVE, LENGTH, SI, SETS(RADIUS), VARIES, EVERY, "R", \
-    HELP("radius of the sphere, in m; may be missing for other profiles")) \
+  X(RADIUS_M, "radius_m", RADII, LENGTH, SI, SETS(RADIUS), VARIES, EVERY, "R1[,R2]", \
+    HELP("radius of the sphere, or of two spheres, in m; may be missing for other profiles")) \
   X(AMPLITUDE_M, "amplitude_m", NOT_NEGATIVE, LENGTH, SI, SETS(AMPLITUDE), VARIES, EVERY, "A", HELP("amplitude of the waviness, in m")) \
   X(WAVELENGTH_M, "wavelength_m", POSITIVE, LENGTH, SI, SETS(WAVELENGTH), VARIES, EVERY, "L", \
     HELP("wavelength of the waviness, in m")) \

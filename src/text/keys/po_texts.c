@@ -120,6 +120,59 @@ static po_status check_units(po_texts *given) {
   return PO_OK;
 }
 
+/* The contact modulus of two bodies. Given: their moduli and Poisson's ratios, `count` of both; one
+ * body: the other is rigid. */
+static double contact_modulus(const double young[2], const double poisson[2], size_t count) {
+  double compliance = 0.0;
+  for (size_t k = 0; k < count; ++k)
+    compliance += (1.0 - poisson[k]) * (1.0 + poisson[k]) / young[k];
+  return 1.0 / compliance;
+}
+
+bool po_texts_bodies(const po_texts *given, double *modulus, double *radius) {
+  const char *young_text = given->text[PO_KEY_YOUNG_PA], *radii = given->text[PO_KEY_RADIUS_M];
+  double young[2], poisson[2];
+  *modulus = *radius = (double)NAN;
+  if (young_text && given->text[PO_KEY_POISSON]) {
+    const size_t count = po_key_parse_pair(PO_KEY_YOUNG_PA, young_text, young);
+    po_key_parse_pair(PO_KEY_POISSON, given->text[PO_KEY_POISSON], poisson);
+    *modulus = contact_modulus(young, poisson, count);
+  }
+  if (radii)
+    po_key_parse(PO_KEY_RADIUS_M, radii, radius);
+  return young_text || (radii && strchr(radii, ','));
+}
+
+/* Reads moduli and Poisson's ratios of the bodies, if they are given. */
+static po_status read_bodies(po_texts *given, double *modulus) {
+  const char *text[] = {given->text[PO_KEY_YOUNG_PA], given->text[PO_KEY_POISSON]};
+  const po_key keys[] = {PO_KEY_YOUNG_PA, PO_KEY_POISSON};
+  double value[2][2];
+  size_t count[2] = {0, 0};
+  char name[PO_KEY_NAME_LENGTH];
+  if (!text[0] && !text[1])
+    return PO_OK;
+  if (given->text[PO_KEY_MODULUS_PA]) {
+    write_name(given, PO_KEY_MODULUS_PA, name);
+    return refuse(given, text[0] ? PO_KEY_YOUNG_PA : PO_KEY_POISSON,
+                  "it to be left out beside %s, the contact modulus", name);
+  }
+  for (int k = 0; k < 2; ++k) {
+    write_name(given, keys[1 - k], name);
+    if (!text[k])
+      return refuse(given, keys[k], "%s, beside %s", PO_KEYS[keys[k]].expected, name);
+    count[k] = po_key_parse_pair(keys[k], text[k], value[k]);
+    if (!count[k])
+      return refuse(given, keys[k], "%s", PO_KEYS[keys[k]].expected);
+  }
+  if (count[0] != count[1]) {
+    write_name(given, PO_KEY_YOUNG_PA, name);
+    return refuse(given, PO_KEY_POISSON, "one number for each of %s", name);
+  }
+  *modulus = contact_modulus(value[0], value[1], count[0]);
+  return PO_OK;
+}
+
 /* Reads the numbers in SI units of which the groups are computed. */
 static po_status read_physical(po_texts *given, po_physical *p) {
   const bool profile =
@@ -130,13 +183,17 @@ static po_status read_physical(po_texts *given, po_physical *p) {
     po_key key;
     double *value;
     bool needed;
-  } items[] = {{PO_KEY_MODULUS_PA, &p->modulus, !given->any_modulus},
-               {PO_KEY_WORK_J_PER_M2, &p->work, true},
-               {PO_KEY_DISTANCE_M, &p->distance, true},
-               {PO_KEY_RADIUS_M, &p->radius, !profile && !given->any_radius},
-               {PO_KEY_AMPLITUDE_M, &p->amplitude, false},
-               {PO_KEY_WAVELENGTH_M, &p->wavelength, false},
-               {PO_KEY_OUTER_RADIUS_M, &p->outer_radius, false}};
+  } items[] = {
+      {PO_KEY_MODULUS_PA, &p->modulus, !given->any_modulus && !given->text[PO_KEY_YOUNG_PA]},
+      {PO_KEY_WORK_J_PER_M2, &p->work, true},
+      {PO_KEY_DISTANCE_M, &p->distance, true},
+      {PO_KEY_RADIUS_M, &p->radius, !profile && !given->any_radius},
+      {PO_KEY_AMPLITUDE_M, &p->amplitude, false},
+      {PO_KEY_WAVELENGTH_M, &p->wavelength, false},
+      {PO_KEY_OUTER_RADIUS_M, &p->outer_radius, false}};
+  const po_status status = read_bodies(given, &p->modulus);
+  if (status)
+    return status;
   for (size_t i = 0; i < sizeof items / sizeof *items; ++i) {
     const char *text = given->text[items[i].key];
     if (text && !po_key_parse(items[i].key, text, items[i].value))

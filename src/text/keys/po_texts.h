@@ -26,6 +26,13 @@ typedef struct {
  * its value and what was expected. */
 po_status po_texts_read(po_texts *given, po_request *request);
 
+/* The contact modulus, Pa, and the radius, m, that follow from two bodies: 1/E* = (1 - nu1^2)/E1 +
+ * (1
+ * - nu2^2)/E2, K. L. Johnson, Contact Mechanics, Eq 4.9, and 1/R = 1/R1 + 1/R2; NAN: the texts have
+ * no moduli of bodies, or no radius. Given: texts that were read. Returned: whether they have
+ * moduli of bodies or two radii. */
+bool po_texts_bodies(const po_texts *given, double *modulus, double *radius);
+
 /* Whether a key is given, in its own unit or in SI units. */
 bool po_texts_has(const po_texts *given, po_key key);
 
