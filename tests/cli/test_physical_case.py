@@ -1,5 +1,6 @@
 """A case whose scene is in SI units is solved as a dimensionless scene; its results are also in newton and metre."""
 
+import fnmatch
 import math
 
 import pytest
@@ -196,3 +197,105 @@ def test_two_bodies(data):
                  .replace("--preload-load 1", f"--preload-load-n {math.pi * 0.05 / (1 / 2e-8 + 1 / 5e-8)!r}"))
     assert point()["input"]["tabor"] == d["input"]["tabor"]
     assert abs(point()["pull_off"]["force"] / d["pull_off"]["force"] - 1) < 1e-9
+
+
+SWEPT = """
+name: swept
+title: Tips in metres
+suites: [smoke]
+scene:
+  scheme: panel
+  tolerance: 1e-5
+  physical: {{{}}}
+sweep: {}
+want: [pull_off]
+{}
+"""
+REST = "work_j_per_m2: 0.05, distance_m: 3e-10"
+
+
+def swept(data, physical, sweep, more=""):
+    data.case("swept", SWEPT.format(physical, sweep, more))
+
+
+def test_sweeps_in_si_units(data):
+    """Each point is that of its own scene in SI units, has its own units, and the keys as they were given."""
+    swept(data, REST + ', poisson: "0.2,0.4"', "[{key: radius_m, values: [1e-8, 5e-8]}, "
+          "{together: [{young_pa: '160e9,2e9', preload_load_n: 1e-8}, {young_pa: '160e9,5e9', preload_load_n: 2e-8}]}]")
+    expect(0, "*", "run swept --output run --summary summary.csv")
+    points = load("run/swept/record.json")["points"]
+    assert [p["sweep"]["radius_m"] for p in points] == [1e-8, 1e-8, 5e-8, 5e-8]
+    for p in points:
+        s = p["sweep"]
+        d = document(f"solve --from-physical --work-j-per-m2 0.05 --distance-m 3e-10 --poisson 0.2,0.4 --radius-m {s['radius_m']!r} "
+                     f"--young-pa {s['young_pa']} --preload-load-n {s['preload_load_n']!r} --tolerance 1e-5")
+        assert p["input"]["tabor"] == d["input"]["tabor"] and p["input"]["radius"] == d["input"]["radius"]
+        assert p["physical"]["units"] == d["physical"]["units"]
+        assert p["pull_off"] == d["pull_off"] and p["physical"]["pull_off"] == d["physical"]["pull_off"]
+    rows = [line.split(",") for line in open("summary.csv") if not line.startswith("#")]
+    names = rows[0]
+    for p, row in zip(points, rows[1:]):
+        assert float(row[names.index("force_nN")]) * 1e-9 == pytest.approx(p["physical"]["pull_off"]["force_n"], rel=1e-14)
+        assert float(row[names.index("radius_m")]) == p["sweep"]["radius_m"]
+    assert expect(0, "*", "verify --verbose swept --output run").out.count("N at approach") == 4
+
+
+def test_a_table_of_parameter_sets(data):
+    """A row is a point; semicolons stand for commas, - for a key that is not given."""
+    (data.folder / "cases/sets.csv").write_text("radius_m,young_pa,amplitude_m,wavelength_m\n1e-8,160e9;2e9,-,-\n3e-8,160e9;2e9,1e-10,3e-9\n")
+    swept(data, REST + ', poisson: "0.2,0.4"', "[{table: sets.csv}]")
+    expect(0, "*", "run swept --output run")
+    points = load("run/swept/record.json")["points"]
+    assert [p["sweep"]["radius_m"] for p in points] == [1e-8, 3e-8] and points[0]["sweep"]["amplitude_m"] is None
+    assert points[1]["input"]["amplitude"] == pytest.approx(1 / 3)
+    (data.folder / "cases/plain.csv").write_text("tabor,radius\n1,50\n2,100\n")
+    data.case("plain", "name: plain\ntitle: A\nsuites: [smoke]\nscene: {outer_radius: inf, scheme: panel, tolerance: 1e-5}\n"
+              "sweep: [{table: plain.csv}]\nwant: [pull_off]\n")
+    expect(0, "*", "run plain --output run")
+    assert [p["sweep"] for p in load("run/plain/record.json")["points"]] == [{"tabor": 1, "radius": 50}, {"tabor": 2, "radius": 100}]
+
+
+def test_a_followed_series_in_si_units(data):
+    swept(data, REST + ", modulus_pa: 2e9", "[{key: radius_m, from: 2e-8, to: 3e-8, count: 5}]", "follow: radius_m\ncheckpoint_every: 4")
+    expect(0, "*", "run swept --output run")
+    points = load("run/swept/record.json")["points"]
+    assert [p["followed"] for p in points] == [False, True, True, True, False]
+    for p in points:
+        d = document(f"solve --from-physical --work-j-per-m2 0.05 --distance-m 3e-10 --modulus-pa 2e9 --tolerance 1e-5 "
+                     f"--radius-m {p['sweep']['radius_m']!r}")
+        assert p["physical"]["pull_off"]["force_n"] == pytest.approx(d["physical"]["pull_off"]["force_n"], rel=1e-5)
+
+
+@pytest.mark.parametrize("physical, sweep, message", [
+    (REST + ", modulus_pa: 1e9, radius_m: 1e-8", "[{key: radius_m, values: [1e-8]}]",
+     "cases/swept.yaml:8: sweep[[]1].key is radius_m: expected a key that scene.physical does not give"),
+    (REST + ", modulus_pa: 1e9", "[{key: radius_m, values: [1e-8]}, {together: [{radius_m: 2e-8}]}]",
+     "cases/swept.yaml:8: sweep[[]2].together is a list: expected each key swept once"),
+    (REST + ", modulus_pa: 1e9", "[{key: radius_m, values: [1e-8, -1]}]", "cases/swept.yaml:8: sweep[[]1].values[[]2] is -1: expected a finite number > 0*"),
+    (REST + ", modulus_pa: 1e9", "[{key: approach_m, values: [1e-8]}]", "cases/swept.yaml:8: sweep[[]1].key is approach_m: expected a key of the scene*"),
+    (REST + ", modulus_pa: 1e9", "[{key: tabor, values: [1]}]", "cases/swept.yaml:8: sweep[[]1].key is tabor: expected none of *"),
+    (REST + ", modulus_pa: 1e9", "[{table: no.csv}]", "*no.csv*")])
+def test_wrong_sweeps_in_si_units(data, physical, sweep, message):
+    swept(data, physical, sweep)
+    ended = run("plan swept")
+    assert ended.code in (2, 4) and fnmatch.fnmatchcase(ended.err.strip(), "pulloff: " + message), ended.err
+
+
+def test_wrong_tables_of_parameter_sets(data):
+    swept(data, REST + ", modulus_pa: 1e9", "[{table: sets.csv}]")
+    for text, message in (("radius_m\n1e-8\n-1\n", "*sets.csv: radius_m in row 2 is -1: expected a finite number > 0*"),
+                          ("radios\n1\n", "*sets.csv:1: the column radios is unknown: expected names of keys"),
+                          ("radius_m\n1e-8\n1e-8\n", "*sets.csv: row 2: expected each setting once"),
+                          ("radius_m\n", "*sets.csv has no rows: expected one for each point"),
+                          ("radius_m,tabor\n1e-8,1\n", "cases/swept.yaml:8: sweep[[]1].table is *sets.csv: expected none of tabor, *"),
+                          ("radius_m\n-\n", "*sets.csv: row 1: expected keys of the scene")):
+        (data.folder / "cases/sets.csv").write_text(text)
+        assert fnmatch.fnmatchcase(run("plan swept").err.strip(), "pulloff: " + message), run("plan swept").err
+
+
+def test_tables_in_si_units_beside_a_sweep_of_units(data):
+    data.table("reference/table.csv", "tabor,radius,force_nN,approach", "1,100,1,-0.8734")
+    swept(data, REST + ", modulus_pa: 1e9", "[{key: radius_m, values: [1e-8]}]",
+          "checks: [{quantity: pull_off_force, reference: reference/table.csv, tolerance: 1, kind: abs, because: b}]")
+    expect(2, "pulloff: cases/swept.yaml: reference reference/table.csv is in SI units: expected a dimensionless one, as the sweep "
+              "varies the units", "plan swept")

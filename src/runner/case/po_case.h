@@ -58,9 +58,10 @@ bool po_keys_have(po_keys keys, po_key key);
 
 /* One scene. */
 typedef struct {
-  char id[24]; /* "0", "1"...: in the order of the sample, then of the sweep */
-  char *label; /* "tabor=1 nodes=501"; "scene" in a case without sweep and sample */
-  po_request request;
+  char id[24];        /* "0", "1"...: in the order of the sample, then of the sweep */
+  char *label;        /* "tabor=1 nodes=501"; "scene" in a case without sweep and sample */
+  po_request request; /* of a scene in SI units with its units */
+  size_t setting;     /* number of its combination of sample and sweep, before leave_out */
   bool traced; /* the scene belongs to a series and is traced in addition, see po_traced_words */
 } po_point;
 
@@ -79,9 +80,11 @@ typedef struct {
   unsigned sweep_count;
 } po_case_line;
 
-/* An item of a sweep: a key and its values, or a list of settings, each of several keys. */
+/* An item of a sweep: a key and its values, or a list of settings, each of several keys, which a
+ * table may give. */
 typedef struct {
   po_axis axis;             /* its key is NULL if the item is a list of settings */
+  char *table;              /* of settings, which it fills, see po_case_table_read; NULL: none */
   po_scene_words *together; /* the settings; NULL if the item is a key and its values */
   unsigned together_count;
   po_keys named;  /* the keys and groups in the item; filled by po_case_sweep_parse */
@@ -136,7 +139,8 @@ typedef struct {
   size_t source_size;
   po_case_file *file;
   bool is_physical;     /* the scene is given in SI units; results are reported in them as well */
-  po_units units;       /* if is_physical */
+  po_units units;       /* if is_physical; of the first point, if the sweep varies them */
+  bool varies_units;    /* the sweep has keys in SI units */
   unsigned want;        /* bit set of PO_WANT_... and PO_CASE_... */
   unsigned repeats;     /* number of timed repetitions of each solve */
   size_t series_length; /* scenes of a series in parameter continuation; 1: every scene is traced */
@@ -173,6 +177,10 @@ po_status po_case_line_table(const po_case_file *file, const po_case_line *line,
 /* Given: the path of the table of a profile, as it is in the request of a point. Returned: the name
  * relative to the folder of the case file, a part of `path`; `path` if it is elsewhere. */
 const char *po_case_profile_shown(const po_case *kase, const char *path);
+
+/* Returned: the value of a key that an item of the sweep varies, at a point; NULL: it has none. */
+const char *po_case_swept_text(const po_case *kase, const po_point *point, unsigned item,
+                               po_key key);
 
 /* Reads and checks one case file.
  * Given: `shown`, the name of the file in messages.

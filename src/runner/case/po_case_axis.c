@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "po_case_parts.h"
 #include "po_memory.h"
@@ -102,8 +103,9 @@ po_status po_case_axis_check(const po_case *kase, po_axis *axis, const char *whe
   (void)kase;
   if (!axis->key || axis->ascending)
     return PO_OK;
-  const int key = po_key_of_name(axis->key);
-  if (key < 0)
+  const bool swept = strncmp(where, "sweep[", strlen("sweep[")) == 0;
+  const int key = swept ? po_texts_key(axis->key) : po_key_of_name(axis->key);
+  if (key < 0 || key >= PO_KEY_PROFILE_APPROACH)
     return po_case_refuse_key(yaml, "a key of the scene", NULL, where);
   po_request request = po_request_default();
   request.scene.amplitude = request.scene.wavelength = 1; /* so that groups of them have a value */
@@ -113,8 +115,10 @@ po_status po_case_axis_check(const po_case *kase, po_axis *axis, const char *whe
   for (unsigned i = 0; i < axis->values_count; ++i) {
     if (!po_key_set(&request, key, axis->values[i]))
       return po_fields_refuse(yaml, PO_KEYS[key].expected, "%s.values[%u]", where, i + 1);
-    double number = po_key_number(&request, key);
-    if (isnan(number)) /* a parameter of another law or profile than that of the request */
+    double number = key < PO_KEY_END ? po_key_number(&request, key) : (double)NAN;
+    if (po_key_is_pair(key))
+      number = i;
+    else if (isnan(number)) /* a parameter of another law or profile than that of the request */
       po_number_parse(axis->values[i], &number);
     axis->ascending[i] = (po_axis_value){number, i};
   }
@@ -196,7 +200,7 @@ bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request
   return true;
 }
 
-_Static_assert(PO_KEY_END <= 64, "the keys of a case are bits of po_keys");
+_Static_assert(PO_KEY_VARIABLES <= 64, "the keys of a case are bits of po_keys");
 
 bool po_keys_have(po_keys keys, po_key key) {
   return keys >> key & 1U;

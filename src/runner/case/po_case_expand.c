@@ -7,6 +7,7 @@
 #include "po_elementary.h"
 #include "po_memory.h"
 #include "po_order.h"
+#include "po_quote.h"
 #include "po_random.h"
 #include "po_range.h"
 #include "po_text.h"
@@ -18,6 +19,10 @@ enum { GROUPS = PO_KEY_END - PO_KEY_COUNT };
 
 /* The section `sweep` of a case. */
 
+const char *po_case_sweep_word(const po_sweep *sweep) {
+  return sweep->table ? "table" : sweep->together ? "together" : "key";
+}
+
 /* Returned: the number of settings of an item of a sweep. */
 static unsigned count_of_sweep(const po_sweep *sweep) {
   return sweep->together ? sweep->together_count : sweep->axis.values_count;
@@ -28,17 +33,31 @@ static unsigned count_of_sweep(const po_sweep *sweep) {
 static const char *value_of_sweep(const po_sweep *sweep, unsigned index, po_key key) {
   if (sweep->together)
     return sweep->together[index].values[key];
-  return po_key_of_name(sweep->axis.key) == key ? sweep->axis.values[index] : NULL;
+  return po_texts_key(sweep->axis.key) == key ? sweep->axis.values[index] : NULL;
 }
 
-/* A key, and that which it sets if it is a group. */
+/* The setting of an item of the sweep in combination number `index` of sample and sweep: the last
+ * item varies fastest. */
+static unsigned setting_of(const po_case_file *file, size_t index, unsigned item) {
+  for (unsigned i = file->sweep_count; --i > item;)
+    index /= count_of_sweep(&file->sweep[i]);
+  return (unsigned)(index % count_of_sweep(&file->sweep[item]));
+}
+
+const char *po_case_swept_text(const po_case *kase, const po_point *point, unsigned item,
+                               po_key key) {
+  return value_of_sweep(&kase->file->sweep[item], setting_of(kase->file, point->setting, item),
+                        key);
+}
+
+/* A key, and that which it sets if it is a group. Of one in SI units, all of the block follows. */
 static po_keys varied_by(po_key key) {
-  return UINT64_C(1) << key | UINT64_C(1) << po_key_target(key);
+  return UINT64_C(1) << key | UINT64_C(1) << (po_case_is_in_si(key) ? key : po_key_target(key));
 }
 
 static void find_names(po_sweep *sweep) {
   for (unsigned i = 0; i < count_of_sweep(sweep); ++i)
-    for (int key = 0; key < PO_KEY_END; ++key)
+    for (int key = 0; key < PO_KEY_VARIABLES; ++key)
       if (value_of_sweep(sweep, i, key)) {
         sweep->named |= UINT64_C(1) << key;
         sweep->varied |= varied_by(key);
@@ -55,11 +74,27 @@ static int by_settings(const void *a, const void *b, void *unused) {
   const po_scene_words *x = a, *y = b;
   int order = 0;
   (void)unused;
-  for (int key = 0; key < PO_KEY_END && !order; ++key) {
+  for (int key = 0; key < PO_KEY_VARIABLES && !order; ++key) {
     const char *p = x->values[key], *q = y->values[key];
     order = p && q ? by_value(p, q) : (p != NULL) - (q != NULL);
   }
   return order;
+}
+
+/* Refuses a setting, or the value of a key in it; of a table with its row. Given: key -1: the
+ * setting. */
+static po_status refuse_setting(const po_sweep *sweep, size_t index, int key, const char *expected,
+                                const char *where, const po_yaml *yaml) {
+  char shown[PO_QUOTE_LENGTH];
+  if (sweep->table && key >= 0)
+    return po_fail(PO_BAD_INPUT, "%s: %s in row %zu is %s: expected %s", sweep->table,
+                   PO_KEYS[key].name, index + 1,
+                   po_quote(sweep->together[index].values[key], shown), expected);
+  if (sweep->table)
+    return po_fail(PO_BAD_INPUT, "%s: row %zu: expected %s", sweep->table, index + 1, expected);
+  return key >= 0 ? po_fields_refuse(yaml, expected, "%s.together[%zu].%s", where, index + 1,
+                                     PO_KEYS[key].name)
+                  : po_fields_refuse(yaml, expected, "%s.together[%zu]", where, index + 1);
 }
 
 static po_status check_together(const po_sweep *sweep, const char *where, const po_yaml *yaml) {
@@ -67,20 +102,19 @@ static po_status check_together(const po_sweep *sweep, const char *where, const 
     const po_scene_words *words = &sweep->together[i];
     po_request request = po_request_default();
     unsigned given = 0;
-    for (int key = 0; key < PO_KEY_END; ++key) {
+    for (int key = 0; key < PO_KEY_VARIABLES; ++key) {
       given += words->values[key] != NULL;
       if (words->values[key] && !po_key_set(&request, key, words->values[key]))
-        return po_fields_refuse(yaml, PO_KEYS[key].expected, "%s.together[%u].%s", where, i + 1,
-                                PO_KEYS[key].name);
+        return refuse_setting(sweep, i, key, PO_KEYS[key].expected, where, yaml);
     }
     if (!given)
-      return po_fields_refuse(yaml, "keys of the scene", "%s.together[%u]", where, i + 1);
+      return refuse_setting(sweep, i, -1, "keys of the scene", where, yaml);
   }
   po_repeat repeat;
   const po_status status = po_order_find_repeat(
       sweep->together, sweep->together_count, sizeof *sweep->together, by_settings, NULL, &repeat);
   if (!status && repeat.found)
-    return po_fields_refuse(yaml, "each setting once", "%s.together[%zu]", where, repeat.again + 1);
+    return refuse_setting(sweep, repeat.again, -1, "each setting once", where, yaml);
   return status;
 }
 
@@ -103,15 +137,39 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
 static const po_keys WAVINESS = UINT64_C(1) << PO_KEY_ALPHA | UINT64_C(1) << PO_KEY_AMPLITUDE_RATIO;
 static const char ONE_GROUP[] = "one of alpha and amplitude_ratio";
 
-static po_status check_sweep(po_case_file *file, const po_yaml *yaml) {
+/* Checks that keys in SI units are varied beside the block `physical`, which does not give them. */
+static po_status check_in_si(const po_case_file *file, const po_sweep *sweep, const char *where,
+                             const po_yaml *yaml) {
+  const po_scene_words *physical = file->scene.physical;
+  for (int key = PO_KEY_END; key < PO_KEY_VARIABLES; ++key) {
+    if (!po_keys_have(sweep->varied, key))
+      continue;
+    const char *expected = !po_case_is_in_si(key) ? "a key of the scene"
+                           : !physical            ? "it beside scene.physical, as it is in SI units"
+                           : physical->values[key] ? "a key that scene.physical does not give"
+                           : po_keys_have(file->swept, key) ? "each key swept once"
+                                                            : NULL;
+    if (expected)
+      return po_fields_refuse(yaml, expected, "%s.%s", where, po_case_sweep_word(sweep));
+  }
+  return PO_OK;
+}
+
+static po_status check_sweep(const po_case *kase, const po_yaml *yaml) {
+  po_case_file *file = kase->file;
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     po_sweep *sweep = &file->sweep[i];
     char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "sweep[%u]", i + 1);
-    const po_status status = check_item(sweep, where, yaml);
+    po_status status = sweep->table ? po_case_table_read(kase, sweep, where, yaml) : PO_OK;
+    if (!status)
+      status = check_item(sweep, where, yaml);
     if (status)
       return status;
     find_names(sweep);
+    status = check_in_si(file, sweep, where, yaml);
+    if (status)
+      return status;
     if (sweep->named & WAVINESS && file->swept & WAVINESS)
       return po_fields_refuse(yaml, ONE_GROUP, "%s.key", where);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
@@ -119,7 +177,7 @@ static po_status check_sweep(po_case_file *file, const po_yaml *yaml) {
       if (po_keys_have(sweep->varied, key) && (twice || file->scene.values[key]))
         return po_fields_refuse(
             yaml, twice ? "each key swept once" : "a key that the scene does not give", "%s.%s",
-            where, sweep->together ? "together" : "key");
+            where, po_case_sweep_word(sweep));
     }
     file->swept |= sweep->varied;
   }
@@ -150,11 +208,11 @@ static po_status count_points(po_case *kase, const po_yaml *yaml) {
  * later, when the keys that it depends on have their values. */
 static void add_setting(const po_case *kase, po_point *point, const po_sweep *sweep,
                         unsigned setting, po_text *label) {
-  for (int key = 0; key < PO_KEY_END; ++key) {
+  for (int key = 0; key < PO_KEY_VARIABLES; ++key) {
     const char *value = value_of_sweep(sweep, setting, key);
     if (!value)
       continue;
-    if (!po_key_is_group(key))
+    if (key < PO_KEY_COUNT)
       po_key_set(&point->request, key, value);
     po_text_add(label, "%s%s=%s", label->length ? " " : "", PO_KEYS[key].name,
                 key == PO_KEY_PROFILE_FILE ? po_case_profile_shown(kase, value) : value);
@@ -249,7 +307,7 @@ static po_status parse_sample(po_case_file *file, const po_yaml *yaml) {
 
 po_status po_case_sweep_parse(po_case *kase, const po_yaml *yaml) {
   po_case_file *file = kase->file;
-  po_status status = check_sweep(file, yaml);
+  po_status status = check_sweep(kase, yaml);
   if (!status)
     status = parse_sample(file, yaml);
   file->varied = file->swept | file->drawn;
@@ -296,7 +354,14 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (file->scene.values[key])
       po_key_set(&point->request, key, file->scene.values[key]);
-  size_t block = kase->point_count / (file->sample ? file->sample->count : 1);
+  point->setting = index;
+  point->request.units = kase->units;
+  if (kase->varies_units) {
+    const po_status status = po_case_scene_set_physical(kase, yaml, point);
+    if (status)
+      return status;
+  }
+  const size_t block = kase->point_count / (file->sample ? file->sample->count : 1);
   const size_t scene = index / block;
   const char *group[GROUPS];
   for (int i = 0; i < GROUPS; ++i)
@@ -304,9 +369,7 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
   po_text label = {0};
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     const po_sweep *sweep = &file->sweep[i];
-    const unsigned settings = count_of_sweep(sweep);
-    block /= settings;
-    const unsigned setting = (unsigned)(index / block % settings);
+    const unsigned setting = setting_of(file, index, i);
     for (int key = PO_KEY_COUNT; key < PO_KEY_END; ++key)
       if (value_of_sweep(sweep, setting, key))
         group[key - PO_KEY_COUNT] = value_of_sweep(sweep, setting, key);

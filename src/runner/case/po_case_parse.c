@@ -285,7 +285,7 @@ static po_status parse_follow(po_case *kase, const po_yaml *yaml) {
     return status;
   const po_axis *last = file->sweep_count ? &file->sweep[file->sweep_count - 1].axis : NULL;
   if (!last || !last->key || strcmp(last->key, file->follow) != 0 ||
-      !po_key_is_continuous(po_key_of_name(file->follow)))
+      !po_key_is_continuous(po_texts_key(file->follow)))
     return po_fields_refuse(yaml, NULL, "follow");
   kase->series_length = last->values_count;
   if (file->leave_out_count)

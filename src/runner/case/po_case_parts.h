@@ -47,6 +47,25 @@ po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)
  * nodes of panels, the wavelength of a smooth sphere. Status: as above. */
 po_status po_case_scene_parse(po_case *kase, const po_yaml *yaml);
 
+/* The word of a case file that says what an item of the sweep varies: key, together or table. */
+const char *po_case_sweep_word(const po_sweep *sweep);
+
+/* Replaces a name relative to the case file by its path. Status: PO_NO_MEMORY. */
+po_status po_case_path(const po_case *kase, char **word);
+
+/* Reads the table of an item of the sweep: a CSV file, by its path relative to the case file, whose
+ * columns are keys and whose rows are settings; - is a key that is not given, and semicolons stand
+ * for commas. Returned: sweep->together. Status: as above; PO_CANNOT_READ. */
+po_status po_case_table_read(const po_case *kase, po_sweep *sweep, const char *where,
+                             const po_yaml *yaml);
+
+/* Whether a key is one in SI units, which a sweep beside the block `physical` may vary. */
+bool po_case_is_in_si(po_key key);
+
+/* Sets what follows from the block `physical` for a point whose sweep varies keys in SI units, and
+ * the units of its request. Status: as above. */
+po_status po_case_scene_set_physical(const po_case *kase, const po_yaml *yaml, po_point *point);
+
 /* Checks that the law or the profile of a point or of a line has each parameter that scene, sweep
  * and sample give; the points must be computed. Status: as above. */
 po_status po_case_scene_check(po_case *kase, const po_yaml *yaml);

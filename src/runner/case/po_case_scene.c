@@ -28,7 +28,7 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
     for (unsigned k = 0; k < file->sweep_count; ++k)
       if (po_keys_have(file->sweep[k].varied, key))
         return po_fields_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1,
-                                file->sweep[k].together ? "together" : "key");
+                                po_case_sweep_word(&file->sweep[k]));
     if (po_keys_have(file->drawn, key))
       return po_fields_refuse(yaml, NOT_BOTH, "scene.physical");
   }
@@ -55,8 +55,7 @@ const char *po_case_profile_shown(const po_case *kase, const char *path) {
   return strncmp(path, kase->path, length) == 0 ? path + length : path;
 }
 
-/* Replaces the name of one table by its path. Status: PO_NO_MEMORY. */
-static po_status case_profile_path(const po_case *kase, char **word) {
+po_status po_case_path(const po_case *kase, char **word) {
   po_text path = {0};
   if ((*word)[0] == '/')
     return PO_OK;
@@ -87,7 +86,7 @@ resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *forma
   vsnprintf(where, sizeof where, format, arguments);
   va_end(arguments);
   po_profile scratch = po_profile_sphere();
-  po_status status = case_profile_path(kase, word);
+  po_status status = po_case_path(kase, word);
   if (!status)
     status = po_profile_set_file(&scratch, *word);
   return status ? case_refuse_for(yaml, where, status) : PO_OK;
@@ -143,27 +142,53 @@ static po_status check_pairs(const po_case_file *file, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* Reads the block. */
-static po_status read_physical(const po_case *kase, const po_yaml *yaml, po_request *request) {
-  po_scene_words *words = kase->file->scene.physical;
+bool po_case_is_in_si(po_key key) {
+  return key >= PO_KEY_END && key < PO_KEY_PROFILE_APPROACH;
+}
+
+/* The texts of the block at a point, with what the sweep gives in its place. */
+static po_texts texts_at(const po_case *kase, const po_point *point) {
   po_texts given = {.prefix = "scene.physical.", .si = true, .mixed = true};
-  po_status status = PO_OK;
-  if (words->values[PO_KEY_PROFILE_FILE])
-    status = case_profile_path(kase, &words->values[PO_KEY_PROFILE_FILE]);
-  memcpy(given.text, words->values, sizeof given.text);
-  if (!status)
-    status = po_texts_read(&given, request);
+  memcpy(given.text, kase->file->scene.physical->values, sizeof given.text);
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i)
+    for (int key = PO_KEY_END; key < PO_KEY_PROFILE_APPROACH; ++key) {
+      const char *value = po_case_swept_text(kase, point, i, key);
+      if (value)
+        given.text[key] = value;
+    }
+  return given;
+}
+
+/* Reads the block, of the texts at a point. */
+static po_status read_physical(po_texts *texts, const po_yaml *yaml, po_request *request) {
+  const po_status status = po_texts_read(texts, request);
   if (!status)
     return PO_OK;
+  const po_texts given = *texts;
   char where[PO_CASE_WHERE_LENGTH];
   snprintf(where, sizeof where, "%s%s", given.prefix, PO_KEYS[given.wrong].name);
   return case_refuse_for(yaml, given.text[given.wrong] ? where : "scene.physical", status);
 }
 
-/* Whether the block gives a key. */
-static bool is_given_by(const po_scene_words *physical, int key) {
+/* Whether the texts of the block give a key. */
+static bool is_given_by(const po_texts *given, int key) {
   const int si = po_key_in_si(key);
-  return PO_KEYS[key].owner == PO_OWNER_TRACE ? si >= 0 && physical->values[si] : is_derived(key);
+  return PO_KEYS[key].owner == PO_OWNER_TRACE ? si >= 0 && given->text[si] : is_derived(key);
+}
+
+po_status po_case_scene_set_physical(const po_case *kase, const po_yaml *yaml, po_point *point) {
+  po_texts given = texts_at(kase, point);
+  po_request request = po_request_default();
+  const po_status status = read_physical(&given, yaml, &request);
+  for (int key = 0; key < PO_KEY_COUNT && !status; ++key) {
+    char text[PO_KEY_TEXT_LENGTH];
+    if (!is_given_by(&given, key) || is_absent(&request, key))
+      continue;
+    po_key_print(&request, key, text);
+    po_key_set(&point->request, key, text);
+  }
+  point->request.units = request.units;
+  return status;
 }
 
 static po_status parse_physical(po_case *kase, const po_yaml *yaml) {
@@ -172,15 +197,23 @@ static po_status parse_physical(po_case *kase, const po_yaml *yaml) {
     return PO_OK;
   po_request request = po_request_default();
   po_status status = refuse_both(kase->file, yaml);
-  if (!status)
-    status = read_physical(kase, yaml, &request);
+  if (!status && words->physical->values[PO_KEY_PROFILE_FILE])
+    status = po_case_path(kase, &words->physical->values[PO_KEY_PROFILE_FILE]);
+  const po_point first = {.setting = 0};
+  po_texts given = {.text = {NULL}};
+  if (!status) {
+    given = texts_at(kase, &first);
+    status = read_physical(&given, yaml, &request);
+  }
   if (status)
     return status;
   kase->is_physical = true;
+  for (int key = PO_KEY_END; key < PO_KEY_PROFILE_APPROACH; ++key)
+    kase->varies_units = kase->varies_units || po_keys_have(kase->file->swept, key);
   kase->units = request.units;
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     char text[PO_KEY_TEXT_LENGTH];
-    if (!is_given_by(words->physical, key) || is_absent(&request, key))
+    if (!is_given_by(&given, key) || is_absent(&request, key))
       continue;
     if (words->values[key])
       return po_fields_refuse(yaml, "only this key, or that of scene.physical", "scene.%s",

@@ -98,6 +98,7 @@ static const po_field SCENE[] = {
 
 static const po_field SETTINGS[] = {
     SCENE_KEYS
+    PO_SI_ROWS(SCENE_KEY)
     {0},
 };
 // clang-format on
@@ -105,6 +106,7 @@ static const po_field SETTINGS[] = {
 static const po_field SWEEP[] = {
     OPTIONAL_TEXT("key", po_sweep, axis.key, A_KEY),
     RANGE_OF(po_sweep, axis.),
+    OPTIONAL_TEXT("table", po_sweep, table, "the name of a CSV file"),
     OPTIONAL_LIST("together", po_sweep, together, SETTINGS, "a list of mappings of scene keys"),
     {0},
 };

@@ -100,6 +100,9 @@ void po_reference_close(po_reference *reference);
  * file and line; PO_NO_MEMORY. */
 po_status po_reference_use_units(po_reference *reference, const po_units *units);
 
+/* Whether a table has such columns or headers. */
+bool po_reference_has_units(const po_reference *reference);
+
 /* Finds the first row from number *row on that belongs to a scene: all columns and headers that are
  * keys of the scene have its values. Returned: whether there is one; its number in *row. */
 bool po_reference_next_row(const po_reference *reference, const po_request *request, size_t *row);

@@ -68,6 +68,20 @@ static po_status convert_uncertainty(po_csv *table, int column, double factor, c
   return PO_OK;
 }
 
+bool po_reference_has_units(const po_reference *reference) {
+  const po_csv *table = &reference->table;
+  const po_units any = {.length = 1, .force = 1, .work = 1, .tension = 1, .traction = 1};
+  size_t stem = 0;
+  double factor = 0;
+  for (size_t c = 0; c < table->column_count; ++c)
+    if (has_unit(table->columns[c], &any, &stem, &factor))
+      return true;
+  for (size_t i = 0; i < table->header_count; ++i)
+    if (has_unit(table->headers[i].key, &any, &stem, &factor))
+      return true;
+  return false;
+}
+
 po_status po_reference_use_units(po_reference *reference, const po_units *units) {
   po_csv *table = &reference->table;
   size_t stem = 0, cells = table->header_count + table->row_count; /* with an uncertainty */

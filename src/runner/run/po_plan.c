@@ -140,7 +140,12 @@ static po_status open_check(const po_plan *plan, const char *data_folder, const 
   const po_file_path folder = folder_for(plan->kase, data_folder, check->reference);
   po_status status = reference_open_check(folder.text, check, reference);
   if (!status && plan->kase->is_physical && reference->type == PO_REFERENCE_TABLE)
-    status = po_reference_use_units(reference, &plan->kase->units);
+    status = plan->kase->varies_units && po_reference_has_units(reference)
+                 ? po_fail(PO_BAD_INPUT,
+                           "%s: reference %s is in SI units: expected a dimensionless one, as the "
+                           "sweep varies the units",
+                           plan->kase->shown, check->reference)
+                 : po_reference_use_units(reference, &plan->kase->units);
   return status;
 }
 

@@ -134,6 +134,14 @@ static json_t *swept_value(const po_request *request, const json_t *input, po_ke
                               : json_incref(json_object_get(input, PO_KEYS[key].name));
 }
 
+/* The value of a key in SI units, as it is written: a number, two with a comma between; null: the
+ * setting of the point does not give it. */
+static json_t *in_si(const po_case *kase, size_t point, unsigned item, po_key key) {
+  const char *text = po_case_swept_text(kase, &kase->points[point], item, key);
+  double value = 0;
+  return text && po_number_parse(text, &value) ? po_json_number(value) : po_json_text(text);
+}
+
 static json_t *sweep(const po_case *kase, size_t point) {
   json_t *object = po_json_empty_object();
   const po_request *request = &kase->points[point].request;
@@ -142,6 +150,10 @@ static json_t *sweep(const po_case *kase, size_t point) {
     for (int key = 0; key < PO_KEY_END; ++key)
       if (po_keys_have(kase->file->sweep[i].named, key))
         po_json_set(&object, PO_KEYS[key].name, swept_value(request, input, key));
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i)
+    for (int key = PO_KEY_END; key < PO_KEY_VARIABLES; ++key)
+      if (po_keys_have(kase->file->sweep[i].named, key))
+        po_json_set(&object, PO_KEYS[key].name, in_si(kase, point, i, key));
   json_decref(input);
   for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
     const po_draw *draw = &kase->file->sample->keys[i];
@@ -196,7 +208,7 @@ static po_status add_table(const po_case_run *run, size_t index, size_t number, 
   const po_file_path path = po_path_join(folder, name);
   po_request shown = shown_request(run->plan->kase, point);
   shown.in_si = table == PO_LOOP_TABLE && run->plan->kase->is_physical;
-  shown.units = run->plan->kase->units;
+  shown.units = point->request.units;
   const po_status status = po_tables_write(table, path.text, &shown, result, digest);
   if (table == PO_PROFILE_TABLE)
     po_json_set(entry, "contact", po_json_of(&PO_CONTACT_ROWS, result));
@@ -276,8 +288,9 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   po_json_set(&object, "command", command_json(run, index));
   po_json_set(&object, "failed", json_boolean(po_case_run_failed(run, index)));
   if (kase->is_physical) {
-    json_t *physical = PO_JSON_OBJECT({"units", po_json_units(&kase->units)});
-    po_json_set_all(&physical, po_json_result_in_si(&kase->units, &run->points[index].result));
+    json_t *physical = PO_JSON_OBJECT({"units", po_json_units(&point->request.units)});
+    po_json_set_all(&physical,
+                    po_json_result_in_si(&point->request.units, &run->points[index].result));
     po_json_set(&object, "physical", physical);
   }
   return object;

@@ -41,9 +41,8 @@ static void path_of(size_t column, const po_result *result, char path[80]) {
   snprintf(path, 80, "%s%s", COLUMNS[column].of_loop ? loop : "", COLUMNS[column].path);
 }
 
-/* The unit of a column for the points of a case: that of the first case, in which numbers of this
- * one are factor times as large. */
-static po_si_unit unit_of(const summary *s, const po_case *kase, size_t column) {
+/* The unit of a column for a point of a case: that of the first point of all. */
+static po_si_unit unit_of(const summary *s, const po_case *kase, size_t point, size_t column) {
   static const po_result none = {0};
   char path[80];
   path_of(column, &none, path);
@@ -52,8 +51,8 @@ static po_si_unit unit_of(const summary *s, const po_case *kase, size_t column) 
   po_si_unit unit = {.factor = 1};
   if (kase->is_physical) {
     unit = po_si_prefixed(&first->units, dimension);
-    unit.factor *= po_si_unit_of(&kase->units, dimension).factor /
-                   po_si_unit_of(&first->units, dimension).factor;
+    unit.factor = po_si_unit_of(&kase->points[point].request.units, dimension).factor *
+                  (unit.factor / po_si_unit_of(&first->units, dimension).factor);
   }
   return unit;
 }
@@ -65,7 +64,7 @@ static void add_names(summary *s) {
   json_object_foreach(s->keys, key, value) po_text_add(&s->rows, ",%s", key);
   po_text_add(&s->rows, ",status");
   for (size_t c = 0; c < COLUMN_COUNT; ++c) {
-    const po_si_unit unit = unit_of(s, s->runs->plan->kase, c);
+    const po_si_unit unit = unit_of(s, s->runs->plan->kase, 0, c);
     po_text_add(&s->rows, ",%s%s%s", COLUMNS[c].name, *unit.name ? "_" : "", unit.name);
   }
   po_text_add(&s->rows, "\n");
@@ -99,7 +98,7 @@ static void add_point(summary *s, const po_case_run *run, size_t index) {
   for (size_t c = 0; c < COLUMN_COUNT; ++c) {
     char path[80];
     path_of(c, result, path);
-    const po_si_unit unit = unit_of(s, kase, c);
+    const po_si_unit unit = unit_of(s, kase, index, c);
     row[c] = po_si_value(&unit, po_block_number(&PO_ALL_ROWS, result, path));
   }
   po_csv_add_row(&s->rows, row, COLUMN_COUNT);

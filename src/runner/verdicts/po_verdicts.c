@@ -34,8 +34,8 @@ static void physical_lines(const po_case_run *run, po_text *text) {
     if (run->points[i].result.has_pull_off)
       po_text_add(text, "%-12s %-23s %-24s %.10g N at approach %.10g m\n", run->plan->name,
                   "pull_off", kase->points[i].label,
-                  run->points[i].result.pull_off.force * kase->units.force,
-                  run->points[i].result.pull_off.approach * kase->units.length);
+                  run->points[i].result.pull_off.force * kase->points[i].request.units.force,
+                  run->points[i].result.pull_off.approach * kase->points[i].request.units.length);
 }
 
 void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
