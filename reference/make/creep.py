@@ -1,0 +1,67 @@
+"""Creep of a linear viscoelastic half-space, and the theory of Persson and Brener for the edge of a crack.
+
+The compliance is J(t) = 1 - (1 - k) phi(t) over that of the relaxed solid, with k the relaxed over the glassy modulus,
+phi = sum_m w_m exp(-t/tau_m), sum_m w_m = 1. Times are in tau_0.
+
+    sls       the standard linear solid: one term, tau = 1
+    gamma:n   phi = (1/Gamma(n)) int_0^inf tau^(n-1) exp(-tau) exp(-t/tau) dtau
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.integrate import quad
+from scipy.optimize import brentq
+from scipy.special import gamma
+
+LONGEST = 3.6             # ln tau of the last term of a Gamma spectrum: exp(-exp(3.6)) = 1e-16
+SPACING = 0.5             # of its terms in ln tau. The trapezoidal rule has an error of exp(-pi^2/spacing) = 3e-9
+SHORTEST = 1e-6           # its shortest time, in the time in which the base moves by epsilon; shorter ones are lumped
+
+
+@dataclass(frozen=True)
+class Creep:
+    """The terms: k, times, and the compliances (1 - k) w_m."""
+    k: float
+    times: np.ndarray
+    parts: np.ndarray
+
+
+def creep(spectrum, k, speed, refine=1.0):
+    """The terms of `sls` or `gamma:n` that matter at a speed of the base, in epsilon/tau_0."""
+    if not 0.0 < k <= 1.0:
+        raise ValueError(f"k = {k:g}: expected 0 < k <= 1")
+    if spectrum == "sls":
+        return Creep(k, np.ones(1), np.full(1, 1.0 - k))
+    name, _, exponent = spectrum.partition(":")
+    if name != "gamma":
+        raise ValueError(f"spectrum {spectrum}: expected sls or gamma:n")
+    n, spacing = float(exponent), SPACING / refine
+    shortest = np.log(min(SHORTEST / refine**10 / speed, 1e-3))
+    log = LONGEST - spacing * np.arange(int(np.ceil((LONGEST - shortest) / spacing)) + 1)
+    times = np.exp(log)
+    weights = spacing * times**n * np.exp(-times) / gamma(n)
+    weights[-1] = max(weights[-1], 1.0 - weights[:-1].sum())
+    return Creep(k, times, (1.0 - k) * weights / weights.sum())
+
+
+def persson_brener(spectrum, k, speed):
+    """Gamma/w of Persson and Brener: Gamma = 1/(1 - (1 - k) S), S the mean of sqrt(1 + y^2) - y over the spectrum,
+    y = Gamma/(2 pi speed tau), speed of the crack in its length at rest per tau_0."""
+
+    def mean(gain):
+        x = gain / (2.0 * np.pi * speed)
+        if spectrum == "sls":
+            return np.hypot(1.0, x) - x
+        n = float(spectrum.partition(":")[2])
+
+        def part(s):
+            y = x * np.exp(-s)
+            return np.exp(n * s - np.exp(s)) / (np.hypot(1.0, y) + y)
+
+        low = -40.0 / n
+        points = sorted({min(max(p, low), 5.0) for p in (np.log(x), 0.0)})
+        return quad(part, low, 5.0, points=points, epsabs=1e-14, epsrel=1e-12, limit=400)[0] / gamma(n)
+
+    return brentq(lambda gain: gain * (1.0 - (1.0 - k) * mean(gain)) - 1.0, 1.0 - 1e-9, (1.0 + 1e-9) / k, xtol=1e-15,
+                  rtol=1e-14)
