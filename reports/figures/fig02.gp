@@ -2,7 +2,7 @@
 # both in the deformed state.
 
 set multiplot
-set lmargin at screen 0.085; set rmargin at screen 0.42
+set lmargin at screen 0.115; set rmargin at screen 0.44
 set tmargin at screen 0.97; set bmargin at screen 0.17
 set xrange [0.9:3]; set yrange [-1.25:1.25]
 set xtics 0.5 format '%g'; set ytics 0.5 format '%.1f'
@@ -13,7 +13,7 @@ set key off
 plot 'law.dat' using 1:2 with lines linewidth 1.5 linecolor rgb blue notitle
 
 unset arrow
-set lmargin at screen 0.51; set rmargin at screen 0.985
+set lmargin at screen 0.53; set rmargin at screen 0.985
 set xrange [-reach:reach]; set yrange [-2:8]
 set xtics 10; set ytics 2 format '%g'
 set xlabel '{/:Italic r}/ε'; set ylabel 'height/ε' offset 0.5,0

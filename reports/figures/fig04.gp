@@ -1,8 +1,8 @@
 # Figure 4: (a) pull-off force and (b) minus the approach at pull-off against the Tabor parameter,
-# with the difference from the reference below; (c) the number of folds. Data: force.dat and approach.dat, each
+# with the absolute differences from the reference, (c) and (d), below; (e) the number of folds. Data: force.dat and approach.dat, each
 # with the blocks computed, reference, residual, tolerance, published, and residual of the paper's discretisation; folds.dat.
 
-# Heights on the screen: everything moves up if (c) is drawn below.
+# Heights on the screen: everything moves up if (e) is drawn below.
 below = fold_points ? 0.235 : 0
 high(y) = below + (1 - below) * y
 
@@ -38,30 +38,30 @@ do for [k = 1:2] {
   if (k == 1) { set key at graph 0.04, graph 0.05 left bottom Left reverse }
   else { set key off }
   plot data index 1 using 1:2 with points pointtype 3 pointsize 0.75 linewidth 1.1 \
-         linecolor rgb blue title (panel_reference[k] ? 'reference, Feng’s problem' : ''), \
+         linecolor rgb black title (panel_reference[k] ? 'reference, Feng’s problem' : ''), \
        data index 0 using 1:2 with points pointtype 4 pointsize 0.85 linewidth 1.2 \
-         linecolor rgb vermillion title 'computed', \
+         linecolor rgb blue title 'panels', \
        for [i = 1:(panel_crosses[k] > 0)] data index 4 using 1:2 with points pointtype 1 \
          pointsize 0.9 linewidth 1.25 linecolor rgb black title 'Feng, read off a figure', \
        'links.dat' index k-1 @link
 
   set tmargin at screen high(0.365); set bmargin at screen high(0.115)
   set key off
-  unset label 1
   set logscale y; set yrange [panel_low[k]:panel_high[k]]
   unset mytics; set ytics auto; set ytics 10.0**ceil(log10(panel_high[k] / panel_low[k]) / 4.0)
   set format y '10^{%L}'; set format x '%g'
   set xlabel 'Tabor parameter μ' offset 0,0.3
-  set ylabel 'difference' offset 1,0
+  set ylabel 'abs. difference' offset 1,0
+  set label 1 (k == 1 ? '(c)' : '(d)') at graph 0.03, graph 0.88 left
   if (panel_limits[k]) {
     set label 2 'tolerance' at 0.0095, panel_tolerance[k] left offset 0,-0.65 textcolor rgb grey
   }
   if (k == 1 && paper) { set arrow 9 from graph 0, first cut to graph 1, first cut nohead dashtype 2 linewidth 0.9 linecolor rgb black }
   plot data index 3 using 1:2 with steps dashtype 2 linewidth 1 linecolor rgb grey notitle, \
        data index 2 using 1:2 with linespoints pointtype 7 pointsize 0.35 linewidth 0.7 \
-         linecolor rgb vermillion notitle, \
+         linecolor rgb blue notitle, \
        for [i = 1:paper] data index 5 using 1:2 with linespoints pointtype 6 pointsize 0.45 linewidth 0.7 \
-         linecolor rgb blue notitle
+         linecolor rgb vermillion notitle
   unset label 2; unset arrow 9
 }
 
@@ -73,12 +73,12 @@ if (fold_points) {
   set yrange [-0.35:130]; set format y '%g'; set ytics (0, '' 2, 4, 10, 30, 100)
   set xrange [0.0075:6.7]
   set ylabel 'folds' offset 0,0
-  set label 1 '(c)' at graph 0.015, graph 0.86 left
+  set label 1 '(e)' at graph 0.015, graph 0.86 left
   set key at graph 0.06, graph 0.92 left top Left reverse
   plot 'folds.dat' index 0 using 1:2 with linespoints pointtype 4 pointsize 0.7 linewidth 0.9 \
-         linecolor rgb vermillion title 'panels', \
+         linecolor rgb blue title 'panels', \
        for [i = 1:paper] 'folds.dat' index 1 using 1:2 with linespoints pointtype 6 pointsize 0.45 \
-         linewidth 0.9 linecolor rgb blue title 'paper’s discretisation, cut at r = R', \
+         linewidth 0.9 linecolor rgb vermillion title 'paper’s discretisation, cut at r = R', \
        'links.dat' index 2 @link
 }
 unset multiplot

@@ -28,12 +28,12 @@ do for [k = -3:2] {
   }
 }
 set tics front
-set arrow 1 from graph 0, first mark to graph 1, first mark nohead dashtype 2 linewidth 1.6 linecolor rgb 'white' front
+set arrow 1 from graph 0, first mark to graph 1, first mark nohead dashtype 2 linewidth 1.2 linecolor rgb black front
 # a rectangle under each label: a boxed label would be an SVG filter, which PDF does not support
 do for [k = 1:label_count] {
-  set object 100 + k rectangle center label_x[k], label_y[k] size character 0.75 * strlen(label_text[k]) + 0.7, \
+  set object 100 + k rectangle center label_x[k], label_y[k] size character 0.8 * strlen(label_text[k]) + 0.7, \
     character 0.8 fillcolor rgb 'white' fillstyle solid noborder front
-  set label k label_text[k] at label_x[k], label_y[k] center front font ',9'
+  set label k label_text[k] at label_x[k], label_y[k] center front font ',10'
 }
 set key off
 set label 99 title_text at graph 0.5, graph 1.035 center font ',10'
@@ -41,7 +41,7 @@ plot for [k = 0:level_count] 'regions.dat' index k using 1:2 with filledcurves c
        fillcolor rgb colours[k + 1] fillstyle solid noborder notitle, \
      'lines.dat' using 1:2 with lines linewidth 0.8 linecolor rgb black notitle, \
      for [k = 1:(unknown_count > 0)] 'unknown.dat' using 1:2 with points pointtype 7 pointsize 0.25 \
-       linecolor rgb 'white' notitle, \
+       linecolor rgb black notitle, \
      'links.dat' index 0 @link
 unset label 99
 unset arrow 1

@@ -33,7 +33,7 @@ def make(case, references):
     law = [(1.0 + gap, traction) for gap, traction in
            twice.table_blocks(case.line("law"), [], "gap", "traction").get((), [])]
     rows, point = surfaces(case, case.points[0])
-    drawn = gnuplot.draw("fig02", {"figure_height": 330, "reach": REACH},
+    drawn = gnuplot.draw("fig02", {"figure_height": 260, "figure_width": 528, "reach": REACH},
                          {"law": [law], "surfaces": [rows]})
     label = "Lennard-Jones traction against the gap; indenter and half-space before and after approach"
     return Figure("fig02", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig02", label)),

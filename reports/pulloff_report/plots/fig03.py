@@ -9,7 +9,7 @@ from .. import geometry, gnuplot, live, svg
 from ..references import file_name
 from ..words import MINUS, listing, plain, scientific, value_of
 from . import twice
-from .figure import Figure, VERMILLION, BLUE, GREEN, ORANGE, PURPLE, failures, log_range
+from .figure import Figure, BLUE, GREEN, ORANGE, PURPLE, failures, log_range
 
 NUMBER = "3"
 TITLE = "Load against approach of a smooth sphere"
@@ -17,12 +17,12 @@ TITLE = "Load against approach of a smooth sphere"
 CURVES, BRADLEY = "feng_curves.csv", "bradley.csv"
 PUBLISHED = "published/feng_fig3.csv"   # Feng's own points, if a digitised file is available
 WINDOW = (-1.05, 6.0)        # of −Δ†; contains all folds of μ = 3
-LOADS = (-2.3, 1.0)          # of W̄
+LOADS = (-2.5, 1.0)          # of W̄
 BEYOND = 4.0                 # a larger Tabor parameter is not in the paper's figure and is drawn in separate panels
-NEAR = 0.7                   # half width of panel (a) about the pull-off, in approach
-NOSE = 0.08                  # half width of panel (b) about the last jump out of contact, in approach
+NEAR = 0.7                   # half width of panel (c) about the pull-off, in approach
+NOSE = 0.08                  # half width of panel (d) about the last jump out of contact, in approach
 MARKERS_APART = 0.16         # distance between markers, see geometry.thinned
-STYLES = [(BLUE, 6), (GREEN, 4), (PURPLE, 8), (ORANGE, 12)]
+STYLES = [(BLUE, 6), (GREEN, 4), (PURPLE, 8)]
 
 
 def branch(case, point):
@@ -145,7 +145,7 @@ def make(case, references):
             continue
         near_rigid = tabor < 0.1
         lines.append([(float(a), float(b)) for a, b in geometry.dense(*computed)])
-        colour, shape = (VERMILLION, 7) if near_rigid else STYLES[elastic % len(STYLES)]
+        colour, shape = (ORANGE, 7) if near_rigid else STYLES[elastic % len(STYLES)]
         elastic += not near_rigid
         if point.get("pull_off"):
             labels.append((-point["pull_off"]["approach"], -point["pull_off"]["force"],
@@ -179,7 +179,7 @@ def make(case, references):
         "label_text": [item[2] for item in labels], "label_colour": [item[3] for item in labels],
         "panel_count": len(strips[0]), "paper_count": len(strips[1]),
         "soft": 1 if soft else 0, "soft_text": f"μ = {plain(soft.tabor)}" if soft else "",
-        "figure_height": 640 if soft else 480,
+        "figure_height": 550 if soft else 430,
         "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1],
         "low": low, "high": high, "cut": twice.CUT}
     drawn = gnuplot.draw("fig03", parameters, {"computed": lines or [[]], "reference": marks or [[]],
@@ -203,9 +203,9 @@ def caption(case, marks, dots, crosses, said, soft):
     if crosses:
         text += " Crosses: Feng’s own points, read off his figure."
     if dots:
-        text += " Orange dots: Bradley’s rigid solution, to compare with the branch for the smallest μ."
+        text += " Yellow dots: Bradley’s rigid solution, to compare with the branch for the smallest μ."
     if said[0]:
-        text += Markup(" Middle: distance of the reference points from the computed branch, "
+        text += Markup(" (b) Absolute distance of the reference points from the computed branch, "
                        "along its normal, in units of the axes; at most {}").format(greatest(said[0]))
         if said[1]:
             text += Markup(". Orange: with the paper’s discretisation ({1}); at most {0}; {2}").format(
@@ -213,7 +213,7 @@ def caption(case, marks, dots, crosses, said, soft):
         text += "."
     if soft:
         text += Markup(
-            " Bottom: μ = {}, which this figure of the paper does not show, (a) about the pull-off and (b) about the jump out of "
+            " μ = {}, which this figure of the paper does not show, (c) about the pull-off and (d) about the jump out of "
             "contact. With panels (black) the branch has {} folds. With the paper’s discretisation (orange) the contact edge "
             "advances by one element of {} ε at a time, and the load oscillates. Where the branch is steep, each oscillation "
             "is a pair of folds (dots), and the branch has {} folds. From one pair to the next the contact radius changes by "

@@ -83,20 +83,20 @@ def make(case, references):
 
 def caption(case, data, said):
     text = Markup("(a) Pull-off force |W̄| and (b) approach {}Δ† at pull-off against the Tabor "
-                  "parameter μ. Orange squares: computed with {}.").format(MINUS, twice.how(case))
+                  "parameter μ. Blue squares: computed with {}.").format(MINUS, twice.how(case))
     if data["force"][1]:
-        text += Markup(" Blue asterisks: Feng’s problem, solved independently (see the note on "
+        text += Markup(" Black asterisks: Feng’s problem, solved independently (see the note on "
                        "Feng’s points).")
     if data["force"][4]:
         text += Markup(" Crosses: Feng’s own points, read off a figure.")
     if said:
-        text += Markup(" Below: magnitude of the difference; at most {}").format(greatest(said, 1))
+        text += Markup(" (c), (d) Absolute difference from it; blue: panels, at most {}").format(greatest(said, 1))
         if said[0][2]:
-            text += Markup(". Blue: with the paper’s discretisation ({1}); at most {0}; in (a) {2}").format(
+            text += Markup(". Orange: with the paper’s discretisation ({1}); at most {0}; in (c) {2}").format(
                 greatest(said, 2), twice.PAPER, twice.CUT_WORDS)
         text += "."
     if data["folds"][0]:
-        text += " (c) Number of folds of the branch"
+        text += " (e) Number of folds of the branch"
         if data["folds"][1]:
             count, tabor, true = most_folds(data["folds"])
             text += Markup(

@@ -14,6 +14,8 @@ CURVES = "rigid_curves.csv"
 WINDOW = (-0.4, 3.0)      # of −Δ†
 LOADS = (-2.3, 0.6)       # of W̄
 APART = 0.22              # distance between markers, see geometry.thinned
+# log10(alpha) -> place of the name of a curve whose minimum lies among other curves; a line joins them.
+NAMED = {-1: (0.12, -0.42), 0: (-0.34, -1.45), 1: (-0.27, -1.75)}
 
 
 def branch(case, alpha):
@@ -62,13 +64,15 @@ def make(case, references):
             if stored is not None:
                 strips[which] += residual(computed, stored)
         x, y = min(lines[alpha], key=lambda row: row[1])
-        labels.append((x, y, plain(round(float(numpy.log10(alpha))))))
+        name = round(float(numpy.log10(alpha)))
+        labels.append((x, y, plain(name), *NAMED.get(name, (x, y - 0.12))))
     low, high = log_range([row[1] for strip in strips for row in strip])
     high *= 10   # room for the key
     drawn = gnuplot.draw("fig06", {
         "line_count": len(lines), "mark_count": len(marks), "label_count": len(labels),
         "label_x": [item[0] for item in labels], "label_y": [item[1] for item in labels],
-        "label_text": [item[2] for item in labels], "low": low, "high": high, "cut": twice.CUT,
+        "label_text": [item[2] for item in labels], "name_x": [item[3] for item in labels], "name_y": [item[4] for item in labels],
+        "low": low, "high": high, "cut": twice.CUT,
         "figure_height": 430, "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1]},
         {"rigid": [lines[key] for key in sorted(lines)], "computed": marks or [[]],
          "residual": strips, "links": links.blocks})
@@ -79,12 +83,12 @@ def make(case, references):
 
 def caption(case, strips):
     text = Markup("Load W̄ against the approach {}Δ† for A† = 1 and the values of log₁₀ α at the curves. "
-                  "Lines: Eq 22, computed by this program. Orange squares: the elastic solver at μ = 10⁻⁴, with {}.").format(
+                  "(a) Lines: Eq 22, computed by this program. Blue squares: the elastic solver at μ = 10⁻⁴, with {}.").format(
                       MINUS, twice.how(case))
     worst = [max(row[1] for row in strip) if strip else None for strip in strips]
     if worst[0]:
-        text += Markup(" Below: distance of points of Eq 22, computed independently, from the branch, along its "
-                       "normal, in units of the axes; at most {}").format(scientific(worst[0]))
+        text += Markup(" (b) Absolute distance of points of Eq 22, computed independently, from the branch, along its "
+                       "normal, in units of the axes. Blue: panels; at most {}").format(scientific(worst[0]))
         if worst[1]:
             text += Markup(". Orange: with the paper’s discretisation ({1}); at most {0}; {2}").format(
                 scientific(worst[1]), twice.PAPER, twice.CUT_WORDS)

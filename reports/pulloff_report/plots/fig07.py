@@ -44,7 +44,8 @@ def make(case, references):
               twice.table_blocks(table, ["amplitude"], "alpha", "force").items()
               if any(math.isclose(key[0], a, rel_tol=1e-9) for a in drawn_amplitudes)}
     stored = {(key[0], alpha): force for key, rows in blocks.items() for alpha, force in rows}
-    lines = [sorted(blocks[key]) for key in sorted(blocks)]
+    fine = twice.table_blocks(case.line("rigid"), ["amplitude"], "alpha", "pull_off_force")
+    lines = [sorted(twice.match(fine, key) or blocks[key]) for key in sorted(blocks)]
     marks = [(alpha, force) for (_, alpha), (force, _) in twice.rows(case, KEYS).items()]
     doubled = twice.table_blocks(case.line("rumpf_rabinowicz"), ["radius"], "alpha", "pull_off_force")
     printed = twice.table_blocks(case.line("rumpf_rabinowicz"), ["radius"], "alpha", "part_of_bradley")
@@ -66,13 +67,13 @@ def make(case, references):
 
 
 def caption(case, strips):
-    text = Markup("Pull-off force |W̄| of the rigid wavy sphere against α = A R/λ². Black lines: the minimum of "
-                  "Eq 22, computed independently; log₁₀ A† at the right ends. Orange squares: the "
-                  "elastic solver at μ = 10⁻⁴, with {}. Blue dashed lines: Rumpf and Rabinowicz, Eq 20, multiplied by two, because "
+    text = Markup("Pull-off force |W̄| of the rigid wavy sphere against α = A R/λ². (a) Black lines: the minimum of "
+                  "Eq 22; log₁₀ A† at the right ends. Blue squares: the "
+                  "elastic solver at μ = 10⁻⁴, with {}. Green dashed lines: Rumpf and Rabinowicz, Eq 20, multiplied by two, because "
                   "Eq 20 is relative to Bradley’s 2πwR and the axis to πwR; log₁₀ R† at the right ends. "
                   "Thin dotted lines: Eq 20 as printed.").format(twice.how(case))
     if strips[0]:
-        text += Markup(" Below: relative difference from Eq 22; at most {}").format(
+        text += Markup(" (b) Relative difference from Eq 22, computed independently; blue: panels, at most {}").format(
             scientific(max(row[1] for row in strips[0])))
         if strips[1]:
             text += Markup(". Orange: with the paper’s discretisation ({}); at small α this is the cut, "

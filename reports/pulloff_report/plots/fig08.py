@@ -49,12 +49,12 @@ def make(case, references):
 
 def caption(case, amplitudes, strips, last):
     text = Markup("Pull-off force |W̄| against the Tabor parameter μ for λ† = 20, R† = 100 and A† = {}. "
-                  "Markers: computed with {}. Dash-dotted lines: rigid limit, Eq 22. Dashed lines: JKR limit, Eq 5, continued "
-                  "at the top on a logarithmic axis; for A† = {} it is {} at μ = {} (circle).").format(
+                  "(b) Markers: computed with {}. Dash-dotted lines: rigid limit, Eq 22. Dashed lines: JKR limit, Eq 5, continued "
+                  "in (a) on a logarithmic axis; for A† = {} it is {} at μ = {} (circle).").format(
                       listing([plain(value) for value in amplitudes]), twice.how(case),
                       plain(amplitudes[-1]) if amplitudes else "–", f"{last[1]:.3f}", plain(last[0]))
     if strips:
         worst = max(row[1] for strip in strips for row in strip)
-        text += Markup(" Below: magnitude of the difference from the paper’s discretisation "
+        text += Markup(" (c) Absolute difference from the paper’s discretisation "
                        "({}); at most {}; {}.").format(twice.PAPER, scientific(worst), twice.CUT_WORDS)
     return text + preload.caption(case, KEYS, "Filled markers")

@@ -10,7 +10,7 @@ from .figure import Figure
 NUMBER = "11"
 TITLE = "Effective work of adhesion against the Johnson parameter"
 CASE = "fig10"
-CLEAR = 0.02              # a marker is named if it is below Eq 30 by more than this fraction
+CLEAR = 0.02              # a marker is filled if it is below Eq 30 by more than this fraction
 EFFECTIVE = 2.0 / 3.0     # w_eff/w over |W|/(pi w R): the left-hand side of Eq 24
 
 
@@ -35,14 +35,12 @@ def make(case, references):
     clear = [sorted((beside[key][0][0], EFFECTIVE * forces[key]) for key, part in below.items()
                     if key[:2] == group and part > CLEAR) for group in groups]
     harder = {key: force for key, force in preload.larger(case, fig10.KEYS).items() if twice.match(envelope, key)}
-    named = [(group, min(rows, key=lambda row: row[1])) for group, rows in zip(groups, clear) if rows]
     drawn = gnuplot.draw("fig11", {
         "wavelength_count": len(wavelengths), "radius_count": len(radii),
         "wavelength_text": [f"λ† = {plain(value)}" for value in wavelengths],
         "radius_text": [f"R† = {plain(value)}" for value in radii],
-        "figure_height": 430, "colour": list(fig10.COLOURS), "shape": list(fig10.SHAPES),
-        "clear_count": len(named), "clear_text": [name_of(group) for group, _ in named],
-        "clear_x": [row[0] for _, row in named], "clear_y": [row[1] for _, row in named]},
+        "floors": [fig10.floor_of(row[1] for group, rows in zip(groups, blocks) if group[0] == value for row in rows) for value in wavelengths],
+        "figure_height": 460, "colour": list(fig10.COLOURS), "shape": list(fig10.SHAPES)},
         {"computed": blocks, "clear": clear,
          "harder": [sorted((twice.match(envelope, key)[0], EFFECTIVE * force) for key, force in harder.items()
                            if key[:2] == group) for group in groups], "envelope": [sorted(envelope.values())],
@@ -64,7 +62,7 @@ def name_of(group):
 
 def caption(case, blocks, below, groups, clear):
     text = Markup("The pull-off forces of Figure 10 as effective work of adhesion, 2|W̄|/3, against the Johnson "
-                  "parameter α<sub>KLJ</sub>; μ = {}. Markers: computed with {}. Solid line: Eq 24. Dash-dotted line: Eq 30 where it is positive.").format(
+                  "parameter α<sub>KLJ</sub>; μ = {}; one panel for each wavelength. Markers: computed with {}. Solid line: Eq 24. Dash-dotted line: Eq 30 where it is positive.").format(
                       plain(case.points[0]["input"]["tabor"]), twice.how(case))
     text += f" All scenes are {preload.declared(case)}, as in Figure 10."
     if case.any_preload:

@@ -45,11 +45,13 @@ class Figure:
         return self.shape > TALL
 
 
-def cividis(low, count):
-    """Colours of the palette cividis, from a place of it to its end."""
+def diverging(below, above):
+    """Colours of as many steps below a middle value, from dark to pale blue, and above it, from pale to dark orange."""
     import matplotlib
     import numpy
-    return [matplotlib.colors.to_hex(shade) for shade in matplotlib.colormaps["cividis"](numpy.linspace(low, 1.0, count))]
+    shades = matplotlib.colors.LinearSegmentedColormap.from_list("diverging", [
+        "#08306b", "#2f79b5", "#9ecae1", "#eef5fb", "#fff3e2", "#fdae6b", "#d9600e", "#6b2703"])
+    return [matplotlib.colors.to_hex(shades(place)) for place in (*numpy.linspace(0.0, 3 / 7, below), *numpy.linspace(4 / 7, 1.0, above))]
 
 
 def checks_of(case, point, quantity):

@@ -91,13 +91,15 @@ def make(case, number, title, window, loads, wide=None, beside=None, key_below=F
     markers, apart = by_triangles(case, panel, triangle, tabor, window, loads) if triangle else ([], 0.0)
     arrows = [(-j["before"]["approach"] / tabor, j["before"]["load"], j["after"]["load"],
                0 if j["phase"] == "loading" else 1) for j in loop["jumps"]]
+    theory = [[(-jump["before"]["approach"] / tabor, jump["before"]["load"]), (-jump["after"]["approach"] / tabor, jump["after"]["load"])]
+              for jump in panel["hysteresis"]["jkr"]["displacement_control"]["jumps"]]
     marks = ends(loop, tabor, beside or {})
     parameters = {
         "stable_count": len(stable), "unstable_count": len(unstable), "triangle_count": len(markers),
         "arrow_count": len(arrows), "arrow_x": [a[0] for a in arrows],
         "arrow_from": [a[1] for a in arrows], "arrow_to": [a[2] for a in arrows],
         "arrow_back": [a[3] for a in arrows],
-        "label_count": len(marks), "label_x": [m[0] for m in marks],
+        "theory_count": len(theory), "label_count": len(marks), "label_x": [m[0] for m in marks],
         "label_y": [m[1] for m in marks], "label_text": [m[2] for m in marks],
         "label_loading": [m[3] for m in marks], "label_left": [m[4] for m in marks],
         "label_above": [m[5] for m in marks], "key_below": int(key_below),
@@ -107,7 +109,7 @@ def make(case, number, title, window, loads, wide=None, beside=None, key_below=F
         "figure_height": 760 if wide else 450}
     drawn = gnuplot.draw("loading", parameters, {
         "stable": stable or [[]], "unstable": unstable or [[]], "triangle": [markers],
-        "smooth": [line(case, "smooth", tabor)], "guduru": [line(case, "guduru", tabor)]})
+        "smooth": [line(case, "smooth", tabor)], "guduru": [line(case, "guduru", tabor)], "theory": theory or [[]]})
     label = "Load against minus the approach over the Tabor parameter, with the path of a loading test"
     return Figure(name, number, title, Markup(svg.embeddable(drawn, name, label)),
                   caption(panel, loop, apart, wide, [-x * tabor for x, _ in line(case, "guduru", tabor)]), failures(case), case.record["command"])
@@ -130,7 +132,7 @@ def caption(panel, loop, apart, wide, theory):
         " Arrows: the jumps in loading to Δ† = {} (ends 1 to 6) and in unloading (ends a to f). The energy lost in the loop is {:.4g} "
         "πwRε. A test from this preload measures a pull-off force of {:.5g} in displacement control and "
         "{:.5g} in load control; the largest tension of the whole curve is {:.5g}. By the JKR theory of "
-        "the wavy sphere (Eq 5) the same test loses {:.4g} and measures {:.5g}{}. The "
+        "the wavy sphere (Eq 5), whose jumps are purple, the same test loses {:.4g} and measures {:.5g}{}. The "
         "paper does not state at which points its labels are. Here they are the ends of three jumps in each phase, "
         "because six jumps in each phase would require a much larger preload in Figure 12 than in Figure 13.").format(
             plain(loop["preload"]["approach"]), loop["energy_lost"], loop["pull_off"]["force"],

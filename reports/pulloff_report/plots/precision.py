@@ -122,7 +122,7 @@ def add_legend(picture, series):
 def draw(chosen):
     """Rows: scenes; columns: force, approach, folds, curve."""
     rows = samples.scenes(chosen)
-    height = 74 + 136 * len(rows)
+    height = 74 + 116 * len(rows)
     picture, grid = pyplot.subplots(len(rows), len(samples.FIELDS), squeeze=False, sharex=True,
                                     sharey=True, figsize=(680 / 96, height / 96))
     set_ranges(grid[0][0], chosen)

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from .. import gnuplot, live, svg
 from ..words import count, plain, ratio, scientific, value_of
 from . import preload
-from .figure import Figure, cividis, failures
+from .figure import Figure, diverging, failures
 
 # Contour levels of the force, dense about 1.5 (JKR) and 2 (Bradley).
 LEVELS = (0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0)
@@ -21,6 +21,7 @@ SHORTEST = 0.12  # length from which a line is labelled, relative to the width
 APART = 0.13     # distance between labels, likewise; half of it from the frame
 CLEAR = 0.03     # distance of a label from the dashed line
 MARKED = 0.1     # A/λ above which, by the paper, the JKR theory fails
+SMOOTH = 1.5     # force of the smooth sphere in the JKR limit: below it adhesion is reduced (blue), above it enhanced (orange)
 GREATEST = 8.0   # end of the force axis at the sides
 
 
@@ -115,7 +116,7 @@ def drawn(case, scenes, name, title, force, unknown=()):
     parameters = {
         "title_text": title, "unknown_count": len(unknown), "figure_height": 400,
         "level_count": len(LEVELS), "levels": [f"{level:g}" for level in LEVELS],
-        "colours": cividis(0.0, len(LEVELS) + 1),
+        "colours": diverging(sum(level <= SMOOTH for level in LEVELS), sum(level > SMOOTH for level in LEVELS) + 1),
         "label_count": len(labels), "label_x": [float(row[0]) for row in labels],
         "label_y": [float(row[1]) for row in labels], "label_text": [f"{row[2]:g}" for row in labels],
         "x_low": tabors[0], "x_high": tabors[-1], "y_low": ratios[0], "y_high": ratios[-1],
@@ -160,7 +161,7 @@ def caption(case, wavelength, force):
     tabors = sorted({t for t, _ in force})
     text = Markup(
         "Pull-off force |W̄| for λ† = {}, R† = 100, r<sub>max</sub> = R. (a) The paper does not state the preload; "
-        "here all spheres are {}. The colour changes at each level of the bar; the largest force is {} at "
+        "here all spheres are {}. The colour changes at each level of the bar, from blue, less than the 1.5 of the smooth sphere in the JKR limit, to orange, more; the largest force of the computed scenes is {} at "
         "μ = {}, A/λ = {}. Dashed line: "
         "A/λ = 0.1, above which, by the paper, the JKR theory fails. Left: the force at μ = {} (symbols) and the rigid limit, Eq 22 (line). "
         "Right: the force at μ = {} (symbols) and full contact, Eq 5 (line). Of {} scenes, {} were computed by parameter continuation between "
@@ -175,7 +176,7 @@ def caption(case, wavelength, force):
     top = max(most, key=most.get)
     return text + (
         f" (b) The largest force at any preload, for {len(most)} scenes: its maximum is "
-        f"{plain(round(most[top], 3))} at μ = {plain(top[0])}, A/λ = {plain(round(top[1], 4))}. White dots: "
+        f"{plain(round(most[top], 3))} at μ = {plain(top[0])}, A/λ = {plain(round(top[1], 4))}. Black dots: "
         f"preloads above 100 πwR may give a larger force ({len(unknown)} scenes). Blank: not computed, because steep waves on soft spheres "
         "take minutes.")
 

@@ -14,7 +14,7 @@ class Sketch:
         self.script, self.NUMBER, self.TITLE, self.caption = script, number, title, caption
 
     def make(self, _case, _references):
-        drawn = gnuplot.draw(self.script, {"figure_height": 260}, {})
+        drawn = gnuplot.draw(self.script, {"figure_height": 180, "figure_width": 464}, {})
         return Figure(self.script, self.NUMBER, self.TITLE,
                       Markup(svg.embeddable(drawn, self.script, self.TITLE)), Markup(self.caption))
 
