@@ -1,5 +1,6 @@
 """Reads the list of claims, claims.toml, strictly: an invalid entry is an error."""
 
+import collections
 import decimal
 import itertools
 import math
@@ -14,10 +15,15 @@ CHECK = "implementation check"
 REQUIRED = {"id": str, "where": str, "tests": str}
 OPTIONAL = {"quote": (str, list), "implied": bool, "kind": str, "claimed": (str, int, float, list), "reading": str,
             "accuracy": (int, float), "accuracy_because": str, "value": str, "get": dict, "choice": list,
-            "range": list, "preload": str, "change": dict, "brief": str, "note": str, "survives": str, "untestable": str}
-CHOICE = {"words": str, "set": dict, "get": dict, "value": str, "claimed": (str, int, float, list)}
+            "range": list, "preload": str, "change": dict, "brief": str, "weight": int, "note": str, "survives": str, "untestable": str,
+            "reply": str}
+CHOICE = {"words": str, "set": dict, "get": dict, "value": str, "claimed": (str, int, float, list), "reading": str,
+          "own": (str, type(None)), "preload": int}
 CHANGE = {"words": str, "swap": list, "get": dict, "value": str, "claimed": (str, int, float, list)}
 PRELOAD = {"figures": str, "because": str, "choice": list}
+SENTENCE = {"where": str, "quote": str, "entries": list, "words": str}
+SURVEY = {"id": str, "figure": str, "words": str, "get": dict, "value": str, "claimed": (int, float), "reading": str, "preloads": list}
+Book = collections.namedtuple("Book", "claims preloads surveys sentences")
 SOURCES = {"pulloff": {"pulloff": str, "at": str, "each": dict},
            "case": {"case": str, "when": dict, "at": str, "all": bool},
            "table": {"table": str, "when": dict, "column": str, "all": bool}}
@@ -89,7 +95,8 @@ def chosen(claim, *parts):
     """The claim with the sources, the value and the claimed number that some of its parts replace."""
     given = {key: value for part in parts for key, value in part.get("set", {}).items()}
     get = dict(claim.get("get", {}))
-    made = {"words": None, "claimed": claim.get("claimed"), "value": claim.get("value")}
+    made = {"words": None, "claimed": claim.get("claimed"), "value": claim.get("value"), "reading": claim.get("reading"),
+            "own": None, "preload": None}
     for part in parts:
         get |= part.get("get", {})
         made |= {key: part[key] for key in made if key in part}
@@ -113,13 +120,14 @@ def changed(claim):
 
 
 def with_preloads(claim, preloads):
-    """The claim with one choice for each of its own choices and each preload of its figure."""
+    """The claim with one choice for each of its own choices and each preload of its figure. `own`: the words of its own choice;
+    `preload`: the place of the preload in the list of its figure."""
     if "preload" not in claim:
         return claim
-    own = claim.get("choice", [{}])
-    return {**claim, "choice": [{**mine, "words": ", ".join(part["words"] for part in (mine, preload) if part),
-                                 "set": {**mine.get("set", {}), **preload["set"]}}
-                                for mine, preload in itertools.product(own, preloads[claim["preload"]]["choice"])]}
+    mine, listed = claim.get("choice", [{}]), preloads[claim["preload"]]["choice"]
+    return {**claim, "choice": [{**own, "words": ", ".join(part["words"] for part in (own, preload) if part),
+                                 "own": own.get("words"), "preload": place, "set": {**own.get("set", {}), **preload["set"]}}
+                                for own, (place, preload) in itertools.product(mine, enumerate(listed))]}
 
 
 def check_part(part, known, where):
@@ -146,7 +154,8 @@ def check_change(claim, where):
 
 def check_numbers(choice, claim, where):
     """Checks one choice of a claim: the claimed number, the sources, and the formula."""
-    demand((choice["claimed"] is None) == (claim["reading"] in judge.UNNUMBERED), where,
+    demand(choice["reading"] in judge.READINGS, where, f"reading: expected one of {', '.join(judge.READINGS)}")
+    demand((choice["claimed"] is None) == (choice["reading"] in judge.UNNUMBERED), where,
            "claimed is missing, or stated for a ratio whose bound is a convention")
     got = choice["get"]
     for name, source in got.items():
@@ -201,15 +210,65 @@ def check_claim(claim, where):
             raise BookError(f"{where}: {error}") from error
 
 
+def check_survey(survey, where):
+    """A survey: one number at many preloads, and the number of the paper, if it has one."""
+    check_part(survey, SURVEY, where)
+    demand(set(survey) >= {"id", "figure", "words", "get", "preloads"}, where, "expected id, figure, words, get and preloads")
+    demand(("claimed" in survey) == ("reading" in survey), where, "claimed and reading: expected both or none")
+    demand(len(survey["preloads"]) > 1 and all(isinstance(words, str) for words in survey["preloads"]), where,
+           "preloads: expected two or more texts of options")
+    for preload in survey["preloads"]:
+        choice = surveyed(survey, preload)
+        check_numbers({**choice, "claimed": choice["claimed"] or 0, "reading": choice["reading"] or "about"}, {**survey, "reading": "about"}, where)
+
+
+def surveyed(survey, preload):
+    """The sources and the formula of a survey at one preload."""
+    return chosen(survey, {"set": {"preload": preload}}) | {"words": preload_words(preload)[0]}
+
+
+def preload_words(options):
+    """("Δ† = 4", 4.0) or ("load 0.1 πwR", None) for the options of a preload: its words and its approach."""
+    found = re.fullmatch(r"--preload(-load)? ([0-9.]+)", options)
+    demand(found, options, "expected --preload NUMBER or --preload-load NUMBER")
+    return (f"load {found[2]} πwR", None) if found[1] else (f"Δ† = {found[2]}", float(found[2]))
+
+
+def placeholders(text):
+    """The (name, choice) of the numbers that a text contains: {fig10-greatest}, {fig7-limit | A† = 1}."""
+    return [tuple(part.strip() for part in found.partition("|")[::2]) for found in re.findall(r"\{([^{}]*)\}", text)]
+
+
+def check_placeholders(text, claims, surveys, where):
+    """The numbers that a text names must be those of entries or surveys."""
+    known = {claim["id"]: claim for claim in claims}
+    for name, choice in placeholders(text):
+        demand(name in known or name in {survey["id"] for survey in surveys}, where, f"{{{name}}} is neither an entry nor a survey")
+        demand(choice in ("", "claimed") or name in known and any(choice in (part["words"] or "") for part in choices(known[name])),
+               where, f"{name} has no choice {choice}")
+
+
+def check_sentence(sentence, claims, surveys, where):
+    """A sentence of the abstract or the conclusions: the entries that judge it, and the words with their numbers."""
+    check_part(sentence, SENTENCE, where)
+    demand(set(sentence) == set(SENTENCE), where, f"expected {', '.join(SENTENCE)}")
+    names = {claim["id"] for claim in claims}
+    for name in sentence["entries"]:
+        demand(name in names, where, f"there is no claim {name}")
+    check_placeholders(sentence["words"], claims, surveys, where)
+
+
 def read(path):
-    """(all claims of a file, preloads by figure), checked. Raises a BookError with the position of an error."""
+    """The Book in a file: all claims, the preloads by figure, the surveys and the sentences, checked. Raises a BookError with the
+    position of an error."""
     with open(path, "rb") as stream:
         try:
             book = tomllib.load(stream)
         except tomllib.TOMLDecodeError as error:
             raise BookError(f"{path}: {error}") from error
-    demand(set(book) == {"claim", "preload"}, path, "expected claims and preloads, and nothing else")
-    preloads, claims = book["preload"], []
+    demand(set(book) <= {"claim", "preload", "survey", "sentence"} and "claim" in book, path,
+           "expected claims, preloads, surveys and sentences, and nothing else")
+    preloads, surveys, sentences, claims = book.get("preload", {}), book.get("survey", []), book.get("sentence", []), []
     for name, part in preloads.items():
         check_part(part, PRELOAD, f"{path}: preload {name}")
         demand(set(part) == set(PRELOAD), f"{path}: preload {name}", f"expected {', '.join(PRELOAD)}")
@@ -217,8 +276,17 @@ def read(path):
     names = [claim.get("id") for claim in book["claim"]]
     for place, claim in enumerate(book["claim"]):
         where = f"{path}: claim {claim.get('id', place + 1)}"
-        demand(claim.get("preload", next(iter(preloads))) in preloads, where, "preload: no such figure")
+        demand("preload" not in claim or claim["preload"] in preloads, where, "preload: no such figure")
         claims.append(with_preloads(claim, preloads))
         check_claim(claims[-1], where)
         demand(names.count(claim["id"]) == 1, path, f"claim {claim['id']} is there twice")
-    return claims, preloads
+    try:
+        for place, survey in enumerate(surveys):
+            check_survey(survey, f"{path}: survey {survey.get('id', place + 1)}")
+    except formula.FormulaError as error:
+        raise BookError(f"{path}: {error}") from error
+    for claim in claims:
+        check_placeholders(claim.get("brief", ""), claims, surveys, f"{path}: claim {claim['id']}")
+    for place, sentence in enumerate(sentences):
+        check_sentence(sentence, claims, surveys, f"{path}: sentence {place + 1}")
+    return Book(claims, preloads, surveys, sentences)

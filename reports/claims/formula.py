@@ -89,6 +89,7 @@ FUNCTIONS = {"sqrt": math.sqrt, "cos": math.cos, "sin": math.sin, "log10": math.
              "greatest_at": greatest_at, "distinct": lambda values: sorted(set(values)), "crossing": crossing,
              "highest": lambda *given: located(max, *given)[0], "lowest": lambda *given: located(min, *given)[0],
              "place_of_lowest": lambda *given: located(min, *given)[1], "logs": lambda values: [math.log10(value) for value in values],
+             "below": lambda values, level: sum(value < level for value in values),
              "where_greatest": lambda values, places: where(max, values, places),
              "where_least": lambda values, places: where(min, values, places),
              "last": lambda values, *number: values[-number[0]:] if number else values[-1], "first": lambda values: values[0],

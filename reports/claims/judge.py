@@ -20,6 +20,7 @@ READINGS = {"printed": "a number printed in full: half a unit of its last digit"
             "gradual": "no threshold, nothing that is large or sudden: a ratio below 2 in both directions"}
 UNNUMBERED = ("large", "gradual")                  # readings of a ratio without a number of the paper
 EXACT = ("printed", "equation", "bound")
+SCALES = {"half": 0.5, "once": 1.0, "twice": 2.0}    # of the accuracy of the convention
 AXIS, DECADES, ABOUT, ORDER, LARGE = 0.02, 0.05, 0.1, 3.0, 2.0
 
 

@@ -15,13 +15,14 @@ import book  # noqa: E402
 import formula  # noqa: E402
 import judge  # noqa: E402
 import others  # noqa: E402
+import robust  # noqa: E402
 import sources  # noqa: E402
 
-SCHEMA = "pulloff-claims/4"
+SCHEMA = "pulloff-claims/5"
 TREE = os.path.dirname(os.path.dirname(HERE))
 WORDS = {"within_reading": "reproduced within reading accuracy", "not_testable": "not testable", "no_result": "no result",
          "depends": "depend on a choice", "checked": "implementation checks passed", "check_failed": "implementation checks failed"}
-HEAD = ("id", "where", "tests", "kind", "reading", "brief", "note", "survives")
+HEAD = ("id", "where", "tests", "kind", "reading", "brief", "weight", "note", "survives", "reply")
 
 
 def arguments(words):
@@ -50,7 +51,10 @@ def collect(choice, given):
 def judged(choice, claim, given):
     """One choice of a claim with the computed number and the verdict. `decided`: half or twice the accuracy of the
     convention would change the verdict."""
-    part = {"words": choice["words"], "claimed": choice["claimed"] if isinstance(choice["claimed"], str) else None,
+    claim = {**claim, "reading": choice["reading"]}
+    part = {"words": choice["words"], "own": choice["own"], "preload": choice["preload"],
+            "reading": choice["reading"], "verdicts": dict.fromkeys(judge.SCALES, judge.NO_RESULT),
+            "claimed": choice["claimed"] if isinstance(choice["claimed"], str) else None,
             "low": None, "high": None, "computed": None, "difference": None, "accuracy": None, "decided": False,
             "commands": [], "reason": None}
     try:
@@ -66,7 +70,8 @@ def judged(choice, claim, given):
 
     part["low"], part["high"], part["accuracy"], part["verdict"] = verdict_of(1.0)
     part["difference"] = judge.difference(part["computed"], part["low"], part["high"])
-    part["decided"] = any(verdict_of(scale)[-1] != part["verdict"] for scale in (0.5, 2.0))
+    part["verdicts"] = {name: verdict_of(scale)[-1] for name, scale in judge.SCALES.items()}
+    part["decided"] = len(set(part["verdicts"].values())) > 1
     return part
 
 
@@ -85,8 +90,8 @@ def faults_of(claim, row):
     found, change = [], row["change"]
     if change and not change["moved"] and row["verdict"] != judge.NO_RESULT:
         found.append(f"the verdict does not change with {change['words']}" + (f": {change['reason']}" if change["reason"] else ""))
-    if row["verdict"] == judge.CONTRADICTED and not {"brief", "note", "survives"} <= set(claim):
-        found.append("contradicted: expected brief, note and survives")
+    if row["verdict"] == judge.CONTRADICTED and not {"brief", "weight", "note", "survives"} <= set(claim):
+        found.append("contradicted: expected brief, weight, note and survives")
     return found
 
 
@@ -119,11 +124,21 @@ def row_of(claim, given, solvers):
     row["choices"] = [judged(choice, claim, given) for choice in book.choices(claim)]
     row["reason"] = next((part["reason"] for part in row["choices"] if part["reason"]), None)
     row["verdict"] = judge.overall([part["verdict"] for part in row["choices"]], "kind" in claim)
-    row["decided"] = any(part["decided"] for part in row["choices"])
+    row["decided"] = robust.moves(row)
     row["change"] = change_of(claim, row, given)
     row["faults"] = faults_of(claim, row)
     row["solvers"] = by_others(claim, solvers)
     return row
+
+
+def survey_of(survey, given):
+    """A survey: its number at every preload, None where it has none, and whether the number of the paper is reproduced there by each convention."""
+    numbered = survey if "reading" in survey else {**survey, "claimed": 0, "reading": "about"}
+    parts = [judged(book.surveyed(numbered, preload), {"id": survey["id"], **numbered}, given) for preload in survey["preloads"]]
+    return {"id": survey["id"], "figure": survey["figure"], "words": survey["words"], "claimed": survey.get("claimed"),
+            "tried": [{"words": part["words"], "approach": book.preload_words(preload)[1], "computed": part["computed"],
+                       "holds": {name: "reading" in survey and verdict in judge.HOLDS for name, verdict in part["verdicts"].items()}}
+                      for part, preload in zip(parts, survey["preloads"])]}
 
 
 def finite(value):
@@ -131,10 +146,14 @@ def finite(value):
     return None if value in (float("inf"), float("-inf")) else value
 
 
-def document(rows, digest, preloads):
+def document(rows, digest, preloads, surveys=(), sentences=()):
+    """All that is written: the judged claims, and what follows from them (robust.py). `surveys`: judged surveys."""
     rows = [{**row, "choices": [{key: finite(value) for key, value in part.items()} for part in row["choices"]]} for row in rows]
+    rows = [{**row, "brief": robust.filled(row["brief"], rows, surveys)} for row in rows]
     counts = {name: sum(row["verdict"] == name for row in rows) for name in judge.VERDICTS}
     return {"schema": SCHEMA, "list_sha256": digest, "readings": judge.READINGS, "counts": counts, "claims": rows,
+            "robust": robust.counts(rows), "surveys": list(surveys), "common": robust.common(surveys),
+            "sentences": [robust.sentence(entry, rows, surveys) for entry in sentences],
             "preloads": [{"figures": part["figures"], "because": part["because"], "words": [choice["words"] for choice in part["choice"]]}
                          for part in preloads.values()]}
 
@@ -176,7 +195,7 @@ def text_of(made):
         problems = row["faults"] + ([row["reason"]] if row["verdict"] == judge.NO_RESULT else [])
         for text in problems + ([solvers_of(row)] if row["solvers"] else []):
             lines += textwrap.wrap(text, 110, initial_indent="    ", subsequent_indent="    ")
-    lines.append(counts_of(made))
+    lines += [counts_of(made), *robust.text_of(made)]
     return "\n".join(lines)
 
 
@@ -201,7 +220,7 @@ def main(words):
     output = wanted.output or os.path.join(os.path.dirname(os.path.abspath(wanted.run)), "claims")
     kept = os.path.join(output, "kept")
     try:
-        claims, preloads = book.read(wanted.list)
+        claims, preloads, surveys, sentences = book.read(wanted.list)
         with open(wanted.list, "rb") as stream:
             digest = hashlib.sha256(stream.read()).hexdigest()
         os.makedirs(kept, exist_ok=True)
@@ -211,10 +230,13 @@ def main(words):
         chosen = [claim for claim in claims if not wanted.claim or claim["id"] in wanted.claim]
         given.prepare([source for claim in chosen if "untestable" not in claim
                        for choice in book.choices(claim) + ([book.changed(claim)] if "change" in claim else [])
-                       for source in choice["get"].values()])
+                       for source in choice["get"].values()]
+                      + [source for survey in (() if wanted.claim else surveys) for preload in survey["preloads"]
+                         for source in book.surveyed(survey, preload)["get"].values()])
         solvers = others.read(given)
         rows = [row_of(claim, given, solvers) for claim in chosen]
-        made = document(rows, digest, preloads)
+        made = document(rows, digest, preloads, *(((), ()) if wanted.claim else (
+            [survey_of(survey, given) for survey in surveys], sentences)))
         if not wanted.claim:
             given.forget_unused()
             write(os.path.join(output, "claims.json"), made)

@@ -1,4 +1,5 @@
-"""The first page: three counts (the paper, the physics, the bookkeeping), the speed, the extreme scenes, when and how it was computed."""
+"""The first page: the sentences of the paper, then the counts (the physics, the bookkeeping), the speed, the extreme scenes, when and
+how it was computed."""
 
 import re
 
@@ -8,7 +9,7 @@ from . import samples
 from .claims import contradicted, of_paper
 from .records import NO_VERDICT, PASSING, VERDICTS
 from .words import (CHECK_VERDICTS, VERDICT_WORDS, count, date, listing, lower_first, plain, quantity, ratio, scientific,
-                    sweep_label, value_of)
+                    signed, sweep_label, value_of)
 
 FAILING = tuple(name for name in VERDICTS if name not in PASSING + NO_VERDICT)
 NOTABLE = ("improved", "slack")   # verdicts that pass and are counted separately
@@ -31,15 +32,60 @@ def is_physics(check):
 
 
 def paper(judged):
-    """The statements of the paper."""
-    counts, total = judged["counts"], len(of_paper(judged))
+    """The statements of the paper: how many hold under every convention and preload, then how many as they are read."""
+    counts, robust, total = judged["counts"], judged["robust"], len(of_paper(judged))
     holding = sum(counts.get(name, 0) for name in HOLDING)
     others = [f"{counts[name]} {text[counts[name] != 1]}" for name, text in FOUND.items() if counts.get(name)]
-    within = counts.get("within_reading", 0)
+    text = f"Read by one convention, {holding} hold" + (f"; {listing(others)}" if others else "") + "."
+    if robust["moved"]:
+        text += f" With half or twice the accuracy of the convention, {count(robust['moved'], 'verdict moves', 'verdicts move')}."
     return {"kind": "paper", "name": "The paper", "link": "claims", "link_text": "claims of the paper",
-            "headline": f"{holding} of {count(total, 'statement')} hold" + (f"; {listing(others)}" if others else ""),
-            "text": f"Of those that hold, {within} hold within the accuracy with which the paper can be read." if within else "",
-            "failures": [], "more": 0}
+            "headline": f"{robust['holds_always']} of {count(total, 'statement')} hold under every convention of reading and every "
+                        "preload that the numbers of the paper admit",
+            "text": text, "preload": preload(judged), "sentences": judged["sentences"], "failures": [], "more": 0}
+
+
+def span(values, digits=3):
+    """"9.3", "0.08 to 0.14"."""
+    ends = [signed(f"{value:.{digits}g}") for value in (min(values), max(values))]
+    return ends[0] if ends[0] == ends[1] else " to ".join(ends)
+
+
+def needed(survey):
+    """The approaches at which a surveyed number of the paper is reproduced: "Δ† = 9 to 19", "Δ† of 5.7 and more"."""
+    tried = sorted((part["approach"], part["holds"]["once"]) for part in survey["tried"] if part["approach"] is not None)
+    holding = [approach for approach, holds in tried if holds]
+    if not holding:
+        return "no approach tried"
+    if holding[-1] == tried[-1][0]:
+        return f"Δ† of {holding[0]:g} and more"
+    return f"Δ† = {holding[0]:g}" + (f" to {holding[-1]:g}" if len(holding) > 1 else "")
+
+
+def preload(judged):
+    """The finding on the preload that the paper does not state, from the surveys; None without them."""
+    shared, numbered = judged["common"], [survey for survey in judged["surveys"] if survey["claimed"] is not None]
+    if not shared:
+        return None
+    figures = listing(survey["figure"] for survey in numbered)
+    gives = listing(shared["once"])
+    made = {"headline": f"The preload {gives} gives the numbers of Figures {figures}" if gives
+            else f"No single preload gives the numbers of Figures {figures}", "figures": figures}
+    needs = "; ".join(f"|W̄| ≈ {survey['claimed']:g} of Figure {survey['figure']} needs {needed(survey)}" for survey in numbered)
+    twice = listing(shared["twice"])
+    same = "With twice the accuracy there is none, either." if not twice else f"With twice the accuracy, {twice} gives all."
+    text = f"{needs}. {same if not gives else ''} Of {shared['tried']} preloads tried, {shared['nearest']} comes nearest: "
+    text += listing(f"{number:.3g}" for number in shared["numbers"]) + "."
+    over = [(number / (1.1 * survey["claimed"]) - 1, survey["figure"]) for number, survey in zip(shared["numbers"], numbered)]
+    wide, figure = max(over)
+    if wide > 0:
+        text += (f" The amplitudes of the paper are not stated; if those of Figure {figure} are more than {wide:.0%} apart, they can miss the "
+                 "largest force, and this preload is possible.")
+    ends = [f"for {survey['words'].partition(' for ')[2]} at A/λ = {span([part['computed'] for part in survey['tried'] if part['computed'] is not None])}"
+            for survey in judged["surveys"] if survey["claimed"] is None]
+    if ends:
+        text += f" The preload decides where the enhancement ends: the largest force is {listing(ends)}."
+    return made | {"text": text}
 
 
 def named(run, checks):
@@ -66,10 +112,14 @@ def physics(run):
         headline = f"All {count(len(checks), 'check')} against independent references pass"
     lost = [f"{count(unknown, 'check')} without a result"] * bool(unknown) + [count(failed, "failed solve")] * bool(failed)
     parts = [" and ".join(lost) + "."] if lost else []
+    others = sum(not is_physics(check) for check in run.checks())
+    if others and checks:
+        parts.append(f"With {count(others, 'pin and repetition', 'pins and repetitions')}, which compare this program with itself, there are "
+                     f"{count(len(checks) + others, 'check')}.")
     worst, estimate = worst_check(run), worst_estimate(run)
     if worst:
-        parts.append(Markup("The largest error is {} of its tolerance ({}, {}, case {}).").format(
-            ratio(worst["ratio"]), worst["quantity"], worst["point"], worst["case"].name))
+        parts.append(Markup("The largest error is {} of its {}tolerance ({}, {}, case {}).").format(
+            ratio(worst["ratio"]), worst["kind"], worst["quantity"], worst["point"], worst["case"].name))
     if estimate:
         parts.append(Markup("Where an independent solution is known ({} forces and approaches), the true error is at most {} of the "
                             "stated one.").format(estimate["count"], ratio(estimate["ratio"])))
@@ -118,6 +168,7 @@ def worst_check(run):
         return None
     largest, case, check = max(found, key=lambda item: item[0])
     return {"ratio": largest, "quantity": lower_first(quantity(check["quantity"])), "case": case,
+            "kind": {"abs": "absolute ", "rel": "relative "}.get(check.get("kind"), ""),
             "point": sweep_label(case.point(check.get("point")))}
 
 
@@ -176,7 +227,7 @@ def facts(run):
 
 
 def extremes(data):
-    """What the section on stiff and extreme scenes found: solved scenes, ranges of their parameters, largest stated error."""
+    """What the section on extreme scenes found: solved scenes, ranges of their parameters, largest stated error."""
     rows = [row for table in data.get("tables", []) for row in table["rows"]]
     stated = [(row["pull_off"]["error_estimate"] / row["pull_off"]["force"], row) for row in rows
               if row["pull_off"].get("error_estimate") and row["pull_off"].get("force")]

@@ -64,6 +64,9 @@ CLAIM_VERDICTS = {"reproduced": "reproduced", "within_reading": "reproduced with
                   "not_testable": "not testable", "no_result": "no result"}
 # Comparisons of two results of this project, which say nothing about the paper.
 CHECK_VERDICTS = {"checked": "implementation check passed", "check_failed": "implementation check failed"}
+# Verdicts on a sentence of the abstract or the conclusions: sign and words.
+SENTENCE_VERDICTS = {"robust": ("✓", "holds"), "as_read": ("≈", "holds as read"), "in_part": ("◐", "holds in part"),
+                     "fails": ("✗", "does not hold"), "untested": ("–", "not tested")}
 CHOICE_WORDS = {"reproduced": "holds", "within_reading": "holds within reading accuracy", "contradicted": "does not hold",
                 "no_result": "no result"}
 CLAIM_SIGNS = {"reproduced": "✓", "within_reading": "≈", "depends": "◐", "contradicted": "✗", "not_testable": "–",

@@ -83,19 +83,27 @@ def write_json(path, document):
 
 def make_claims(folder):
     """A contradicted claim with two choices and a solver, and one that holds."""
-    choice = {"words": "near", "claimed": "1.5", "low": 1.5, "high": 1.5, "computed": 1.6, "difference": 0.1, "accuracy": 0.05,
+    choice = {"words": "far, near", "own": "far", "preload": 0, "reading": "printed", "claimed": "1.5", "low": 1.5, "high": 1.5, "computed": 1.6, "difference": 0.1, "accuracy": 0.05,
               "decided": True, "commands": ["pulloff solve"], "reason": None, "verdict": "contradicted"}
     change = {"words": "no waves", "computed": 1.5, "verdict": "reproduced", "reason": None, "commands": [], "moved": True}
     claim = {"id": "made", "where": "Fig. 9", "quotes": ["It is so much."], "implied": True, "tests": "so much", "kind": None,
-             "reading": "printed", "accuracy_because": "made", "brief": "It is more.", "note": "a note", "survives": "the rest",
+             "reading": "printed", "accuracy_because": "made", "brief": "It is more.", "weight": 1, "reply": "a reply", "note": "a note", "survives": "the rest",
              "reason": None, "figure": True, "decided": True, "faults": ["it cannot fail"], "choices": [choice, dict(choice)],
              "change": change, "solvers": [{"name": "newton", "verdict": "contradicted", "computed": 1.7}],
              "verdict": "contradicted"}
     holds = dict(claim, id="other", verdict="reproduced", choices=[dict(choice, verdict="reproduced")], faults=[], solvers=[])
     os.makedirs(os.path.join(folder, "claims"))
     write_json(os.path.join(folder, "claims", "claims.json"), {
-        "schema": "pulloff-claims/4", "list_sha256": "0", "readings": {"printed": "half a unit"}, "claims": [claim, holds],
-        "counts": {"contradicted": 1, "reproduced": 1}, "preloads": [{"figures": "9", "because": "made", "words": ["far", "near"]}]})
+        "schema": "pulloff-claims/5", "list_sha256": "0", "readings": {"printed": "half a unit"}, "claims": [claim, holds],
+        "counts": {"contradicted": 1, "reproduced": 1}, "preloads": [{"figures": "9", "because": "made", "words": ["far", "near"]}],
+        "robust": {"table": [{"scale": scale, "preload": place, "holds": 1, "depends": 0, "contradicted": 1}
+                             for scale in ("half", "once", "twice") for place in (0, 1, 2, None)],
+                   "holds_always": 1, "moved": 1, "statements": 2},
+        "surveys": [{"id": "survey", "figure": "9", "words": "largest force for λ† = 9", "claimed": claimed, "tried": [
+            {"words": "Δ† = 4", "approach": 4.0, "computed": 5.0, "holds": {"half": False, "once": True, "twice": True}}]} for claimed in (4, None)],
+        "common": {"half": [], "once": [], "twice": ["Δ† = 4"], "tried": 1, "nearest": "Δ† = 4", "difference": 0.2, "numbers": [5.0]},
+        "sentences": [{"where": "Abstract", "quote": "so much", "words": "It is 5.", "verdict": "in_part", "entries": ["made"],
+                       "failing": [{"id": "made", "words": ["near"]}], "convention": []}]})
 
 
 def make_few_meshes(run):

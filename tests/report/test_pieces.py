@@ -318,10 +318,10 @@ class Paper(unittest.TestCase):
                          [False, True, False, True])
 
     def test_small_errors_on_the_first_page_have_an_exponent(self):
-        worst = {"ratio": 1e-4, "quantity": "force", "point": "a < b", "case": types.SimpleNamespace(name="made")}
+        worst = {"ratio": 1e-4, "quantity": "force", "kind": "relative ", "point": "a < b", "case": types.SimpleNamespace(name="made")}
         with unittest.mock.patch.multiple(findings, worst_check=lambda run: worst, worst_estimate=lambda run: {"count": 3, "ratio": 2e-5}):
             text = str(findings.physics(types.SimpleNamespace(checks=list, cases=[]))["text"])
-        self.assertIn("10<sup>\u22124</sup> of its tolerance (force, a &lt; b, case made). Where", text)
+        self.assertIn("10<sup>\u22124</sup> of its relative tolerance (force, a &lt; b, case made). Where", text)
         self.assertIn("10<sup>\u22125</sup> of the stated one.", text)
 
     def test_a_link_to_a_scene_asks_for_nothing_beside(self):

@@ -11,6 +11,8 @@ GROUPS = (("contradicted", "Contradicted statements", ("contradicted", "check_fa
           ("depends", "Statements that depend on a choice that the paper leaves open", ("depends", "no_result"), True),
           ("holds", "Statements that hold, in the order of the paper", ("reproduced", "within_reading"), False),
           ("others", "Implementation checks and statements that cannot be tested", ("checked", "not_testable"), False))
+# On paper this group is without the implementation checks, which say nothing about the paper.
+PAPER_TITLES = {"others": "Statements that cannot be tested"}
 FEWEST_DECIMALS, MOST_DECIMALS = 3, 8
 WORDS = {**CLAIM_VERDICTS, **CHECK_VERDICTS, "depends": "depends on a choice"}
 # The words of the narrow columns of the paper edition.
@@ -18,6 +20,7 @@ SHORT_WORDS = {"within_reading": "reproduced*", "checked": "check passed", "chec
 SHORT_CHOICE_WORDS = {"within_reading": "holds*"}
 PASSES = ("reproduced", "within_reading", "checked")
 ORDER = ("contradicted", "check_failed", "depends", "within_reading", "reproduced", "checked", "not_testable", "no_result")
+LONGEST_QUOTE = 80
 NOTHING = dict.fromkeys(("words", "claimed", "low", "high", "computed", "difference", "accuracy"))
 
 
@@ -74,6 +77,32 @@ def choice_row(choice, reading):
             "short": verdict(choice["verdict"], {**CHOICE_WORDS, **SHORT_CHOICE_WORDS})}
 
 
+def preload_of(choice):
+    """"pressed to Δ† = 10" of "λ† = 20, pressed to Δ† = 10"."""
+    return choice["words"].removeprefix(f"{choice['own']}, ") if choice["own"] else choice["words"]
+
+
+def choice_rows(claim):
+    """One row for each choice; the preloads at which one choice has the same numbers are one row."""
+    rows, of_own = [], {}
+    for choice in claim["choices"]:
+        of_own[choice["own"]] = of_own.get(choice["own"], 0) + 1
+        made = choice_row(choice, choice["reading"])
+        key = (choice["own"], *(made[name] for name in ("claimed", "computed", "difference")), made["verdict"]["name"])
+        same = next((row for row in rows if row["key"] == key and choice["preload"] is not None), None)
+        if same:
+            same["preloads"].append(preload_of(choice))
+        else:
+            rows.append({**made, "key": key, "own": choice["own"], "preloads": [preload_of(choice)]})
+    for row in rows:
+        if len(row["preloads"]) > 1:
+            every = len(row["preloads"]) == of_own[row["own"]]
+            words = f"at all {len(row['preloads'])} preloads" if every else row["preloads"][0] + "".join(
+                f" or {words.removeprefix('pressed ')}" for words in row["preloads"][1:])
+            row["words"] = f"{row['own']}, {words}" if row["own"] else words
+    return rows
+
+
 def by_solvers(claim):
     """"2 of 3 external solvers, not by wrong (-2)"; None if none can judge the claim."""
     solvers = claim["solvers"]
@@ -94,15 +123,27 @@ def of_all(choices, name):
     return cells[0] if len(cells) == 1 else f"{cells[0]} to {cells[-1]}"
 
 
+def shortened(quotes):
+    """The beginning of the first quoted sentence, for the narrow tables of the paper edition."""
+    text = quotes[0] if quotes else ""
+    return text if len(text) <= LONGEST_QUOTE else text[:LONGEST_QUOTE].rsplit(" ", 1)[0] + " …"
+
+
+def table_of(robust):
+    """The robust counts: one row for each convention, one cell for each preload and for all of them."""
+    words = {"half": "half the accuracy", "once": "the convention", "twice": "twice the accuracy"}
+    return [(words[scale], [cell for cell in robust["table"] if cell["scale"] == scale]) for scale in words]
+
+
 def row(claim):
     single = len(claim["choices"]) < 2
     first = claim["choices"][0] if claim["choices"] else NOTHING
-    choices = [] if single else [choice_row(choice, claim["reading"]) for choice in claim["choices"]]
+    choices = [] if single else choice_rows(claim)
     lines = list(dict.fromkeys(line for choice in claim["choices"] for line in choice["commands"]))
     return {"claim": claim, "rank": ORDER.index(claim["verdict"]), "verdict": verdict(claim["verdict"], WORDS),
             "short": verdict(claim["verdict"], {**WORDS, **SHORT_WORDS}),
             "accuracy": first["accuracy"], "commands": lines, "by_solvers": by_solvers(claim), "lead": "Implied by" if claim["implied"] else None,
-            "change": change_of(claim),
+            "change": change_of(claim), "quote": shortened(claim["quotes"]),
             **numbers(first if single else NOTHING, claim["reading"] if single else None),
             "choices": choices, "together": {name: of_all(choices, name) for name in ("claimed", "computed")} if choices else None}
 
@@ -113,11 +154,12 @@ def build(source):
     if judged:
         words = {**CLAIM_VERDICTS, **CHECK_VERDICTS}
         counts = [(CLAIM_SIGNS[name], words[name], name, judged["counts"].get(name, 0)) for name in words]
-        found = [{"id": f"claims-{name}", "title": title, "is_open": is_open, "detailed": is_open,
+        found = [{"id": f"claims-{name}", "title": title, "paper_title": PAPER_TITLES.get(name, title), "is_open": is_open, "detailed": is_open,
                   "rows": [row(claim) for claim in judged["claims"] if claim["verdict"] in verdicts]}
                  for name, title, verdicts, is_open in GROUPS]
         data = {"groups": [group for group in found if group["rows"]],
                 "counts": [entry for entry in counts if entry[-1]], "readings": judged["readings"], "preloads": judged["preloads"],
+                "robust": judged["robust"], "table": table_of(judged["robust"]),
                 "unseen": sum(claim["figure"] for claim in judged["claims"]),
                 "decided": [claim for claim in judged["claims"] if claim["decided"]],
                 "by_solvers": sum(bool(claim["solvers"]) for claim in judged["claims"]), "number": len(judged["claims"])}

@@ -1,4 +1,4 @@
-"""Stiff and extreme scenes: the result, the work and the diagnostics of each."""
+"""Scenes at the limits of the parameter ranges, which are hard to compute: the result, the work and the diagnostics of each."""
 
 from markupsafe import Markup
 
@@ -7,7 +7,7 @@ from ..records import PASSING
 from ..words import fixed, scientific, seconds, sweep_label
 
 SUITE, DASH = "extreme", "–"
-ABSENT = "stiff and extreme scenes (pulloff run --suite extreme)"
+ABSENT = "extreme scenes (pulloff run --suite extreme)"
 
 
 def state_at(diagnostics, place):
@@ -95,4 +95,4 @@ def build(source):
     rows = [row for table in tables for row in table["rows"]]
     data = {"tables": tables, "summaries": [summary(table) for table in tables], "scenes": len(rows),
             "solved": sum(not row["failed"] for row in rows), "digits": digits}
-    return Section("extreme", "Stiff and extreme", "extreme.html", data, absent="" if cases else ABSENT)
+    return Section("extreme", "Extreme scenes", "extreme.html", data, absent="" if cases else ABSENT)

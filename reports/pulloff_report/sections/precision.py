@@ -39,7 +39,7 @@ def front(rows):
     if not known:
         return None
     forces = [(row["all"].relative, row["goal"].relative) for _, row in known]
-    return {"least": min(known, key=lambda item: item[0]), "most": max(known, key=lambda item: item[0]), "scenes": len(known),
+    return {"least": min(known, key=lambda item: item[0]), "most": max(known, key=lambda item: item[0]), "scenes": len(known), "rows": known,
             "of": len(rows), "ours": max(ours for ours, _ in forces), "theirs": [min(theirs for _, theirs in forces),
                                                                                  max(theirs for _, theirs in forces)]}
 
