@@ -119,7 +119,7 @@ def refusing(run):
 
 def make(wanted):
     try:
-        from pulloff_report import claims, cost, faults, gnuplot, page, records, references, tree_tests
+        from pulloff_report import claims, cost, faults, gnuplot, page, records, references, tree, tree_tests
         import weasyprint  # noqa: F401
     except ImportError as error:
         raise ReportError(f"Python module {error.name} is missing: install numpy, scipy, "
@@ -131,13 +131,15 @@ def make(wanted):
         module.read(path or (module.beside(wanted.run) if run.is_of_paper else None)) for module, path in (
             (faults, wanted.faults), (claims, wanted.claims), (cost, wanted.cost), (tree_tests, None)))
     live = live_figures(os.path.join(wanted.output, "live.html"))
-    key = content_key([matrix, judged, measured, tested, live], wanted.run, wanted.reference)
+    program = os.path.join(os.path.dirname(os.path.abspath(wanted.run)), "src", "cli", "pulloff")
+    identity = tree.identity(SOURCE, program if os.path.isfile(program) else None)
+    key = content_key([matrix, judged, measured, tested, live, identity], wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")
         return
     with refusing(wanted.run):
         content = page.contents(run, references.References(wanted.reference), matrix, judged, measured, tested)
-        html, pdf = page.forms(dict(content, live=live))
+        html, pdf = page.forms(dict(content, live=live, identity=tree.words(identity)))
     write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
     print(f"made: {os.path.join(wanted.output, 'report.html')} and report.pdf")
 

@@ -14,7 +14,7 @@ import struct
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1]))
-from pulloff_report import live  # noqa: E402
+from pulloff_report import live, tree  # noqa: E402
 
 PAGE = pathlib.Path(__file__).with_name("page")
 IMPORT = re.compile(r"^import [^;]* from '\./(\w+\.js)';\n", flags=re.M)
@@ -69,9 +69,10 @@ def packed(data):
 
 def main():
     wasm, version, run, output = sys.argv[1:]
+    known = tree.identity(str(pathlib.Path(__file__).parents[2]))
     records = json.dumps(figures_of(pathlib.Path(run)), ensure_ascii=False, separators=(",", ":"))
     parts = {"MODULE": packed(pathlib.Path(wasm).read_bytes()), "RECORDS": packed(records.encode("utf-8")), "WORKER": bundle("worker.js", set()), "PAGE": bundle("page.js", set()),
-             "VERSION": version, "/* style.css */": (PAGE / "style.css").read_text(encoding="utf-8")}
+             "VERSION": ", ".join([version, *([tree.words(known)] if known else [])]), "/* style.css */": (PAGE / "style.css").read_text(encoding="utf-8")}
     page = (PAGE / "live.html").read_text(encoding="utf-8")
     assert all(page.count(mark) == 1 for mark in parts) and not any("</script" in text for text in parts.values())
     page = re.sub("|".join(map(re.escape, parts)), lambda mark: parts[mark[0]], page)
