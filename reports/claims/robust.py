@@ -51,7 +51,8 @@ def counts(rows):
 
 def common(surveys):
     """For every convention the preloads at which all surveyed numbers of the paper are reproduced, of those tried for all; and the
-    preload that comes nearest, by the largest relative difference."""
+    preload that comes nearest: of those that reach all numbers, the one that exceeds them least, because a figure with few amplitudes
+    can miss its largest force; if none reaches them, that of the least difference."""
     numbered = [survey for survey in surveys if survey["claimed"] is not None]
     if not numbered:
         return None
@@ -62,7 +63,12 @@ def common(surveys):
 
     def off(words):
         return max(abs(parts[words]["computed"] / survey["claimed"] - 1) for parts, survey in zip(tried, numbered))
-    nearest = min(shared, key=off)
+
+    def over(words):
+        return max(parts[words]["computed"] / survey["claimed"] for parts, survey in zip(tried, numbered))
+    reached = [words for words in shared if all(parts[words]["computed"] >= (1 - judge.ABOUT) * survey["claimed"]
+                                                for parts, survey in zip(tried, numbered))]
+    nearest = min(reached, key=over) if reached else min(shared, key=off)
     return {**{scale: [words for words in shared if all(parts[words]["holds"][scale] for parts in tried)] for scale in judge.SCALES},
             "tried": len(shared), "nearest": nearest, "difference": off(nearest),
             "numbers": [parts[nearest]["computed"] for parts in tried]}

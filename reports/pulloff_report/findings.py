@@ -78,7 +78,7 @@ def preload(judged):
     text += listing(f"{number:.3g}" for number in shared["numbers"]) + "."
     over = [(number / (1.1 * survey["claimed"]) - 1, survey["figure"]) for number, survey in zip(shared["numbers"], numbered)]
     wide, figure = max(over)
-    if wide > 0:
+    if wide > 0 and all(number >= 0.9 * survey["claimed"] for number, survey in zip(shared["numbers"], numbered)):
         text += (f" The amplitudes of the paper are not stated; if those of Figure {figure} are more than {wide:.0%} apart, they can miss the "
                  "largest force, and this preload is possible.")
     ends = [f"for {survey['words'].partition(' for ')[2]} at A/λ = {span([part['computed'] for part in survey['tried'] if part['computed'] is not None])}"
