@@ -29,7 +29,7 @@ cases_of_part() {
 is_part() { [ -f "reports/figures/$1.gp" ] || [ -n "$(cases_of_part "$1")" ]; }
 
 # cases_of_claims: prints the cases whose results the claims of the paper use
-cases_of_claims() { grep -o 'case = "[^"]*"' reports/claims/claims.toml | cut -d '"' -f 2 | sort -u | tr '\n' ' '; }
+cases_of_claims() { grep -o 'case = "[^"]*"' reports/papers/wavy_sphere/claims.toml | cut -d '"' -f 2 | sort -u | tr '\n' ' '; }
 
 # all_parts: prints all parts on one line
 all_parts() {

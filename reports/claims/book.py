@@ -1,4 +1,4 @@
-"""Reads the list of claims, claims.toml, strictly: an invalid entry is an error."""
+"""Reads the list of claims of a paper, claims.toml, strictly: an invalid entry is an error. schema() describes the format."""
 
 import collections
 import decimal
@@ -19,6 +19,7 @@ OPTIONAL = {"quote": (str, list), "implied": bool, "kind": str, "claimed": (str,
             "reply": str}
 CHOICE = {"words": str, "set": dict, "get": dict, "value": str, "claimed": (str, int, float, list), "reading": str,
           "own": (str, type(None)), "preload": int}
+MADE = ("own", "preload")   # keys of a choice that with_preloads makes
 CHANGE = {"words": str, "swap": list, "get": dict, "value": str, "claimed": (str, int, float, list)}
 PRELOAD = {"figures": str, "because": str, "choice": list}
 SENTENCE = {"where": str, "quote": str, "entries": list, "words": str}
@@ -32,6 +33,28 @@ VERBS = ("theory", "solve")
 
 class BookError(Exception):
     """An error in the list, described in one line."""
+
+
+KINDS = {str: "string", int: "integer", float: "number", bool: "boolean", list: "array", dict: "object", type(None): "null"}
+
+
+def schema():
+    """The format of the list as a JSON schema, made from the tables by which the list is checked."""
+    def properties(part, needed=()):
+        types = {key: [KINDS[kind] for kind in (kinds if isinstance(kinds, tuple) else (kinds,))] for key, kinds in part.items()}
+        return {"type": "object", "additionalProperties": False, "required": sorted(needed),
+                "properties": {key: {"type": ["integer", "number"] if kinds == ["number"] else kinds} for key, kinds in types.items()}}
+
+    made = {"claim": properties({**REQUIRED, **OPTIONAL}, REQUIRED), "survey": properties(SURVEY, set(SURVEY) - {"claimed", "reading", "value"}),
+            "sentence": properties(SENTENCE, SENTENCE)}
+    made["claim"]["properties"] |= {
+        "kind": {"const": CHECK}, "reading": {"enum": list(judge.READINGS)}, "change": properties(CHANGE, ["words"]),
+        "get": {"type": "object", "additionalProperties": {"anyOf": [properties(kind, [name]) for name, kind in SOURCES.items()]}},
+        "choice": {"type": "array", "minItems": 2, "items": properties({key: kind for key, kind in CHOICE.items() if key not in MADE}, ["words"])}}
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Statements of a paper", "type": "object",
+            "additionalProperties": False, "required": ["claim"], "properties": {
+                **{name: {"type": "array", "items": part} for name, part in made.items()},
+                "preload": {"type": "object", "additionalProperties": properties(PRELOAD, PRELOAD)}}}
 
 
 def demand(holds, where, text):

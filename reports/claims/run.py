@@ -20,6 +20,8 @@ import sources  # noqa: E402
 
 SCHEMA = "pulloff-claims/5"
 TREE = os.path.dirname(os.path.dirname(HERE))
+PAPER = os.path.join(TREE, "reports", "papers", "wavy_sphere")   # the paper that the report is about
+LIST = os.path.join(PAPER, "claims.toml")
 WORDS = {"within_reading": "reproduced within reading accuracy", "not_testable": "not testable", "no_result": "no result",
          "depends": "depend on a choice", "checked": "implementation checks passed", "check_failed": "implementation checks failed"}
 HEAD = ("id", "where", "tests", "kind", "reading", "brief", "weight", "note", "survives", "reply")
@@ -28,15 +30,21 @@ HEAD = ("id", "where", "tests", "kind", "reading", "brief", "weight", "note", "s
 def arguments(words):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", default="build/src/cli/pulloff", metavar="FILE", help="the program (default build/src/cli/pulloff)")
-    parser.add_argument("--run", default="build/run", metavar="DIR", help="folder of the records of the cases (default build/run)")
+    parser.add_argument("--paper", default=PAPER, metavar="DIR",
+                        help="folder of a paper, with claims.toml and, in run, the records of its cases (default: that of the report)")
+    parser.add_argument("--run", metavar="DIR", help="folder of the records of the cases (default build/run, or run in the folder of the paper)")
     parser.add_argument("--output", metavar="DIR", help="folder for claims.json (default: claims beside the run)")
-    parser.add_argument("--list", default=os.path.join(HERE, "claims.toml"), metavar="FILE", help="list of claims (default: claims.toml beside this program)")
+    parser.add_argument("--list", metavar="FILE", help="list of claims (default: claims.toml in the folder of the paper)")
+    parser.add_argument("--schema", action="store_true", help="print the format of the list as a JSON schema, and nothing else")
     parser.add_argument("--claim", action="append", metavar="ID", help="judge only this claim, and write nothing")
     parser.add_argument("--changes", action="store_true",
                         help="print for each claim the number with changed physics, and whether the verdict changes")
     parser.add_argument("--brief", action="store_true", help="print only the counts, and the entries with a fault or without a number")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
-    return parser.parse_args(words)
+    wanted = parser.parse_args(words)
+    wanted.list = wanted.list or os.path.join(wanted.paper, "claims.toml")
+    wanted.run = wanted.run or ("build/run" if wanted.paper == PAPER else os.path.join(wanted.paper, "run"))
+    return wanted
 
 
 def collect(choice, given):
@@ -217,6 +225,9 @@ def write(path, made):
 
 def main(words):
     wanted = arguments(words)
+    if wanted.schema:
+        print(json.dumps(book.schema(), indent=1, ensure_ascii=False))
+        return 0
     output = wanted.output or os.path.join(os.path.dirname(os.path.abspath(wanted.run)), "claims")
     kept = os.path.join(output, "kept")
     try:
@@ -224,7 +235,7 @@ def main(words):
         with open(wanted.list, "rb") as stream:
             digest = hashlib.sha256(stream.read()).hexdigest()
         os.makedirs(kept, exist_ok=True)
-        given = sources.Sources(os.path.abspath(wanted.program), wanted.run, TREE, kept)
+        given = sources.Sources(os.path.abspath(wanted.program), wanted.run, TREE, kept, wanted.paper)
         unknown = set(wanted.claim or ()) - {claim["id"] for claim in claims}
         book.demand(not unknown, wanted.list, f"there is no claim {', '.join(sorted(unknown))}")
         chosen = [claim for claim in claims if not wanted.claim or claim["id"] in wanted.claim]

@@ -95,8 +95,9 @@ def value_at(point, path, folder):
 class Sources:
     """The data that claims are judged by: the program, the records of a run, and the reference data."""
 
-    def __init__(self, program, run, tree, kept):
-        self.program, self.run, self.tree, self.kept = program, run, tree, kept
+    def __init__(self, program, run, tree, kept, paper=""):
+        self.program, self.run, self.kept = program, run, kept
+        self.trees = [paper, tree] if paper else [tree]   # a table is looked for in the folder of the paper first
         self.used = set()
         self.seconds = 0.0
         with open(program, "rb") as stream:
@@ -156,7 +157,8 @@ class Sources:
 
     def of_table(self, source):
         try:
-            rows = rows_of(os.path.join(self.tree, source["table"]))
+            paths = [os.path.join(tree, source["table"]) for tree in self.trees]
+            rows = rows_of(next((path for path in paths if os.path.exists(path)), paths[-1]))
             found = [number(row[source["column"]]) for row in rows if is_selected(source.get("when", {}), row.__getitem__)]
         except (OSError, KeyError) as error:
             raise SourceError(f"{source['table']}: {error}") from error

@@ -41,7 +41,8 @@ print("claims", *sys.argv[1:], file=open("asked", "a"))
 print("made-claim 1.57 reproduced")
 sys.exit(int(open("judged").read()) if os.path.exists("judged") else 0)
 PROGRAM
-cat >"$tree/reports/claims/claims.toml" <<'LIST'
+mkdir -p "$tree/reports/papers/wavy_sphere"
+cat >"$tree/reports/papers/wavy_sphere/claims.toml" <<'LIST'
 get.a = { case = "timing", when = { tabor = 1 }, at = "pull_off.force" }
 get.b = { case = "fig03", at = "folds.#" }
 get.c = { case = "timing", at = "folds.#" }

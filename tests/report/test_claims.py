@@ -48,7 +48,7 @@ class Listed(unittest.TestCase):
     """claims.toml, without running anything."""
 
     def setUp(self):
-        self.claims, self.preloads, self.surveys, self.sentences = book.read(os.path.join(TREE, "reports", "claims", "claims.toml"))
+        self.claims, self.preloads, self.surveys, self.sentences = book.read(run.LIST)
 
     def sources(self):
         for claim in self.claims:
@@ -506,7 +506,7 @@ class Robust(unittest.TestCase):
 
     def test_no_number_of_the_first_page_is_written_by_hand(self):
         """A contradiction and a sentence have their computed numbers from the records: each names one at least."""
-        found = book.read(os.path.join(TREE, "reports", "claims", "claims.toml"))
+        found = book.read(run.LIST)
         self.assertEqual([part["quote"] for part in found.sentences if not book.placeholders(part["words"]) and part["entries"] != ["spherical-caps"]], [])
         self.assertEqual([claim["id"] for claim in found.claims if "brief" in claim and not book.placeholders(claim["brief"])], [])
 
