@@ -113,6 +113,14 @@ sweep: [{key: time_limit, values: [100, 1e-9]}]
 want: [pull_off, loop, diagnostics, preload, theories]
 checks: [{quantity: solved_share, reference: every_scene, tolerance: 0.4, kind: abs, because: b}]
 """, 3),
+    "soft": ("""
+scene:
+  physical: {modulus_pa: 7e5, work_j_per_m2: 0.03, distance_m: 3e-10, radius_m: 0.0125}
+  scheme: panel
+  tolerance: 1e-3
+  range: reduced
+want: [pull_off]
+""", 0),
     "drawn": ("""
 scene: {outer_radius: inf, scheme: panel, tolerance: 1e-4}
 sample: {seed: 5, count: 2, keys: [{key: tabor, from: 0.7, to: 1.3}, {key: radius, from: 70, to: 200}]}
