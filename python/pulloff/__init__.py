@@ -24,6 +24,8 @@ import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ._keys import Keys
 from ._library import C, Message
 from ._result import PullOff, Result, SolveError, Units, check, document_of
@@ -77,22 +79,37 @@ def follow(key: str, values: Any, scene: Scene | None = None, *, progress: bool 
     return results
 
 
-def theory(form: str, *, at: Number = None, scene: Scene | None = None, **values: Unpack[Keys]) -> dict[str, Any]:
+def theory(form: str, *, at: Number = None, load: Number = None, approach: Number = None, contact_radius: Number = None,
+           load_n: Number = None, approach_m: Number = None, contact_radius_m: Number = None, scene: Scene | None = None,
+           **values: Unpack[Keys]) -> dict[str, Any]:
     """Evaluates a closed form (bradley, jkr, guduru, kesari-lew, ...; `pulloff theory --help` lists them) for the scene
     with these keys. at: the approach, contact radius (epsilon) or gap at which a form that is a curve is evaluated.
-    alpha: A R/lambda^2 in place of the wavelength. A key on which the form does not depend is refused. Returns
-    {name: number}, in the units of a scene; None is infinite.
+    load, approach, or these in SI units: the stable state there (jkr, dmt, maugis, guduru), of unloading after the preload
+    of the scene (preload, preload_load, which jkr and guduru take), without one from the hardest preload. alpha:
+    A R/lambda^2 in place of the wavelength. A key on which the form does not depend is refused. Returns {name: number}, in
+    the units of a scene; None is infinite; `assumes` has the equation, the preload and the branch in words. With
+    want="curve" `curve` has arrays of approach, load and contact radius, and of whether the state is stable.
     """
     place = {name: math.nan if value is None else float_of(name, value, "a finite number, or None")
              for name, value in (("at", at), ("alpha", values.pop("alpha", None)))}
+    states = {name: float_of(name, value, "a finite number, or None") for name, value in (
+        ("load", load), ("approach", approach), ("contact_radius", contact_radius), ("load_n", load_n),
+        ("approach_m", approach_m), ("contact_radius_m", contact_radius_m)) if value is not None}
+    if len(states) + (at is not None) > 1:
+        raise Error(f"{', '.join(states)}{' and at' if at is not None else ''} are given: expected one of them")
     name = encoded("form", form, "the name of a closed form")
     handle, message = ctypes.c_void_p(), Message()
     with in_library(texts_of(scene, values)) as handle_of_scene:
-        check(C.pulloff_theory(name, handle_of_scene, place["alpha"], place["at"], handle, message), message)
+        status = C.pulloff_theory(name, handle_of_scene, place["alpha"], place["at"], handle, message) if not states else \
+            C.pulloff_theory_at(name, handle_of_scene, place["alpha"], *[(key.encode(), number) for key, number in states.items()][0],
+                                handle, message)
+        check(status, message)
     try:
         found = document_of(handle)
     finally:
         C.pulloff_result_destroy(handle)
+    if "curve" in found:
+        found["curve"] = {key: np.array([point[key] for point in found["curve"]]) for key in found["curve"][0]}
     return {name: value for name, value in found.items() if name not in ("schema", "theory")}
 
 

@@ -56,6 +56,7 @@ FUNCTIONS = {
     "solve": (STATUS, SCENE, TO(RESULT), MESSAGE),
     "follow": (STATUS, SCENE, TEXT, TO(NUMBER), SIZE, TO(RESULT), MESSAGE),
     "theory": (STATUS, TEXT, SCENE, NUMBER, NUMBER, TO(RESULT), MESSAGE),
+    "theory_at": (STATUS, TEXT, SCENE, NUMBER, TEXT, NUMBER, TO(RESULT), MESSAGE),
     "result_destroy": (None, RESULT),
     "result_folds": (TO(SpecialPoint), RESULT, TO(SIZE)),
     "result_extrema": (TO(SpecialPoint), RESULT, TO(SIZE)),

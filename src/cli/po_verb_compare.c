@@ -19,8 +19,10 @@ static const char HELP[] =
     "gives it, whether the assumptions of the theory hold, and the number that decides it. A "
     "theory\n"
     "may be near although its assumptions do not hold. A theory that does not exist for the scene\n"
-    "is a row that says why. If the solve fails, the forces of the theories are printed without a\n"
-    "deviation, and the exit status is 3.\n"
+    "is a row that says why. If the solve fails, the forces of the theories, which need no solve, "
+    "are\n"
+    "printed without a deviation, with what is known of their assumptions, and the exit status is "
+    "3.\n"
     "\n"
     "Scene:\n"
     "@scene\n"
@@ -96,6 +98,20 @@ static void print_row(const po_theory_row *row, const po_si_unit *force) {
          row->at_least ? "at least" : "at most", row->limit);
 }
 
+/* Prints the names of the theories whose assumptions hold, or are unknown. */
+static void print_held(const po_result *result, po_holds holds, const char *what) {
+  size_t named = 0;
+  for (size_t k = 0; k < result->theory_count; ++k)
+    named += isfinite(result->theories[k].force) && result->theories[k].holds == holds;
+  if (!named && holds == PO_HOLDS_UNKNOWN)
+    return;
+  printf("%-26s ", what);
+  for (size_t k = 0, next = 0; k < result->theory_count; ++k)
+    if (isfinite(result->theories[k].force) && result->theories[k].holds == holds)
+      printf("%s%s", next++ ? ", " : "", PO_THEORIES[result->theories[k].theory].words);
+  printf("%s\n", named ? "" : "none");
+}
+
 /* Prints the table of the theories and their sources. Given: the units for a column in N, or NULL.
  */
 static void print_theories(const po_result *result, const po_units *units) {
@@ -111,6 +127,8 @@ static void print_theories(const po_result *result, const po_units *units) {
          "decided by");
   for (size_t k = 0; k < result->theory_count; ++k)
     print_row(&result->theories[k], units ? &unit : NULL);
+  print_held(result, PO_HOLDS_YES, "assumptions hold");
+  print_held(result, PO_HOLDS_UNKNOWN, "only a solve decides");
   printf("%-26s %s\n", "theory", "source");
   for (size_t k = 0; k < result->theory_count; ++k)
     printf("%-26s %s\n", PO_THEORIES[result->theories[k].theory].words, result->theories[k].source);

@@ -1,10 +1,11 @@
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_forms.h"
 #include "po_json.h"
-#include "po_json_digest.h"
+#include "po_json_form.h"
 #include "po_options.h"
 #include "po_print.h"
 #include "po_si.h"
@@ -26,7 +27,9 @@ static const char HELP[] =
     "  compactness         whether the gap is monotonic (Eqs 3, 4)\n"
     "  crest               rigid central crest (Eqs 18, 19)\n"
     "  lennard-jones       traction-separation law (Eq 9)\n"
-    "An option on which the closed form does not depend is refused. Lengths are in units of the\n"
+    "It prints the equation and the preload that the results assume, then the results. An option "
+    "on\n"
+    "which the closed form does not depend is refused. Lengths are in units of the\n"
     "equilibrium distance epsilon, loads in pi w R (w: work of adhesion), or in pi w epsilon\n"
     "for a profile without a radius. The approach is positive when the bodies are pressed\n"
     "together, the load when it is compressive.\n"
@@ -39,14 +42,19 @@ static const char HELP[] =
     "                          wavelength and radius (rumpf-rabinowicz)\n"
     "\n"
     "Additional results:\n"
-    "  --approach D            the load at this approach, in epsilon, < 1 (bradley, rigid)\n"
-    "  --contact-radius A      load and approach at this contact radius, in epsilon (jkr, maugis,\n"
-    "                          guduru, kesari-lew)\n"
+    "@trace\n"
     "  --gap H                 the traction at this gap, H = h/epsilon - 1 > -1 (lennard-jones)\n"
+    "  --curve FILE            write approach, load and contact radius along the curve to FILE, "
+    "as\n"
+    "                          CSV, up to the preload, or to twice the contact radius at pull-off\n"
+    "                          (jkr, dmt, maugis, guduru); - is standard output; the JSON\n"
+    "                          document has it, too\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
     "\n" PO_SCENE_OPTIONS_HELP "\n"
     "Example: pulloff theory guduru --tabor 5 --amplitude 10 --wavelength 20 --radius 100 --json\n"
+    "Example: pulloff theory guduru --tabor 5 --amplitude 2 --wavelength 20 --preload-load 1\n"
+    "Example: pulloff theory jkr --tabor 3 --load 0\n"
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
@@ -55,7 +63,8 @@ typedef struct {
   po_scene_options options;
   po_request request;
   double alpha; /* A R/lambda^2, given or of the scene */
-  double gap, tension, approach, contact_radius;
+  double gap, tension, load, approach, contact_radius;
+  const char *curve; /* the file */
   bool json;
 } po_theory_line;
 
@@ -64,21 +73,25 @@ static const po_option OPTIONS[] = {
     PO_NUMBER("alpha", po_theory_line, alpha, 0.0, "a finite number > 0"),
     PO_NUMBER("gap", po_theory_line, gap, -1.0, "a finite number > -1"),
     PO_NUMBER("tension", po_theory_line, tension, 0.0, "a finite number > 0"),
+    PO_TEXT("curve", po_theory_line, curve, "the name of a file"),
     PO_FLAG("json", po_theory_line, json),
     {0}};
 
 /* Refuses options that have no effect on the form. */
 static po_status check_use(const po_theory_line *l, const po_form *form) {
   const unsigned takes = po_form_takes(form, !isnan(l->alpha));
-  po_use others[] = {{"--approach", po_texts_has(&l->options.given, PO_KEY_APPROACH),
-                      form->variable == PO_FORM_AT_APPROACH},
+  const bool state = takes & PO_TAKES_STATE;
+  po_use others[] = {{"--load", po_texts_has(&l->options.given, PO_KEY_LOAD), state},
+                     {"--approach", po_texts_has(&l->options.given, PO_KEY_APPROACH),
+                      state || form->variable == PO_FORM_AT_APPROACH},
                      {"--contact-radius", po_texts_has(&l->options.given, PO_KEY_CONTACT_RADIUS),
                       form->variable == PO_FORM_AT_CONTACT_RADIUS},
                      {"--alpha", !isnan(l->alpha), takes & PO_TAKES_ALPHA},
                      {"--gap", !isnan(l->gap), form->variable == PO_FORM_AT_GAP},
+                     {"--curve", l->curve, takes & PO_TAKES_CURVE},
                      {"--tension", !isnan(l->tension), takes & PO_TAKES_TENSION}};
-  for (size_t i = 0; i < 2 && l->request.in_si; ++i)
-    strcat(others[i].name, "-m");
+  for (size_t i = 0; i < 3 && l->request.in_si; ++i)
+    strcat(others[i].name, i ? "-m" : "-n");
   return po_texts_check_form(&l->options.given, form, !isnan(l->alpha), others,
                              sizeof others / sizeof *others);
 }
@@ -95,7 +108,7 @@ static po_status check_elastic(const po_theory_line *l, const po_form *form) {
 /* Refuses values outside the domain of the form. */
 static po_status check_values(const po_theory_line *l, const po_form *form) {
   const po_status status = check_elastic(l, form);
-  if (status || !(l->approach >= 1.0))
+  if (status || !(l->approach >= 1.0) || form->variable != PO_FORM_AT_APPROACH)
     return status;
   return l->request.in_si
              ? po_fail(PO_BAD_INPUT, "--approach-m is %s: expected less than --distance-m, %s",
@@ -116,8 +129,15 @@ static po_status complete(po_theory_line *l, const po_form *form) {
     status = check_use(l, form);
   if (status)
     return status;
+  l->load = po_texts_number(given, PO_KEY_LOAD, &l->request.units);
   l->approach = po_texts_number(given, PO_KEY_APPROACH, &l->request.units);
   l->contact_radius = po_texts_number(given, PO_KEY_CONTACT_RADIUS, &l->request.units);
+  if (!isnan(l->load) + !isnan(l->approach) + !isnan(l->contact_radius) > 1)
+    return po_fail(PO_BAD_INPUT, "more than one of load, approach and contact radius is given: "
+                                 "expected one of them");
+  if (l->curve && l->json && strcmp(l->curve, "-") == 0)
+    return po_fail(PO_BAD_INPUT, "standard output is asked for twice: expected only one of --json "
+                                 "and the file -");
   po_scene_options_warn(given);
   if (po_texts_is_general(given, form, scene)) {
     const po_status wrong = po_scene_check(scene);
@@ -155,16 +175,6 @@ static bool in_si(const po_theory_line *l, const po_form_value *item, double *va
   return l->request.in_si && item->unit != PO_FORM_PURE;
 }
 
-/* The document of the results, without those in SI units. Returned: NULL if memory runs out. */
-static json_t *document_of(const char *name, const po_form_values *values) {
-  json_t *document =
-      PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(name)});
-  for (size_t i = 0; i < values->count; ++i)
-    po_json_set(&document, values->items[i].name, po_json_number(values->items[i].value));
-  po_json_seal(&document);
-  return document;
-}
-
 /* An infinite value, such as the crest radius of a smooth sphere, is null in JSON and - here. */
 static void print_number(const char *key, double value, const char *unit) {
   if (isfinite(value))
@@ -187,27 +197,43 @@ static void print_readable(const po_form_value *item, double value, const char *
   print_number(item->name, value * readable.factor, readable.text);
 }
 
-static po_status print_text(const po_theory_line *l, const char *name,
-                            const po_form_values *values) {
+/* What the results assume. */
+static void print_assumed(const char *key, const char *text) {
+  if (text)
+    printf("%-8s %s\n", key, text);
+}
+
+static po_status print_text(const po_theory_line *l, const po_form *form,
+                            const po_form_input *input, const po_form_values *values) {
   double value;
   char key[80];
   const char *unit;
   if (l->request.in_si)
     po_print_physical_input(&l->options.given);
+  print_assumed("theory", form->source);
+  print_assumed("preload", po_form_preload(form, input));
+  print_assumed("branch", po_form_branch(input));
   for (size_t i = 0; i < values->count; ++i)
     print_number(values->items[i].name, values->items[i].value, "");
   for (size_t i = 0; i < values->count; ++i)
     if (in_si(l, &values->items[i], &value, key, &unit))
       print_readable(&values->items[i], value, unit);
-  return po_print_digest(document_of(name, values));
+  return po_print_digest(po_json_form(form, input, values, NULL, 0));
 }
 
-static po_status print_json(const po_theory_line *l, const char *name,
-                            const po_form_values *values) {
+/* The curve of --curve. */
+typedef struct {
+  po_form_point *points;
+  size_t count;
+} form_curve;
+
+static po_status print_json(const po_theory_line *l, const po_form *form,
+                            const po_form_input *input, const po_form_values *values,
+                            const form_curve *curve) {
   double value;
   char key[80];
   const char *unit;
-  json_t *document = document_of(name, values);
+  json_t *document = po_json_form(form, input, values, curve->points, curve->count);
   if (l->request.in_si) {
     json_t *physical = po_json_physical_input(&l->options.given, &l->request.units);
     for (size_t i = 0; i < values->count; ++i)
@@ -218,15 +244,62 @@ static po_status print_json(const po_theory_line *l, const char *name,
   return po_print_document(document);
 }
 
-static po_status print(const po_theory_line *l, const po_form *form) {
+/* Writes the curve to the file of --curve. The command in it repeats the options of the scene. */
+static po_status write_curve(const po_theory_line *l, const po_form *form,
+                             const po_form_input *input, const form_curve *curve) {
+  po_text command = {0};
+  po_text_add(&command, "pulloff theory %s%s", form->name,
+              l->request.in_si ? " --from-physical" : "");
+  for (int key = 0; key < PO_KEY_ALL; ++key)
+    if (l->options.given.text[key] && key != PO_KEY_WAVES) {
+      char flag[PO_FLAG_LENGTH];
+      po_key_flag(key, flag);
+      po_text_add(&command, " --%s %s", flag, l->options.given.text[key]);
+    }
+  if (l->options.given.text[PO_KEY_WAVES])
+    po_input_add_waves(&command, l->options.given.text[PO_KEY_WAVES]);
+  if (!isnan(l->tension))
+    po_text_add(&command, " --tension %.17g", l->tension);
+  po_text_add(&command, " --curve %s", l->curve);
+  const po_status status = po_tables_write_form(
+      l->curve, form, input, l->request.in_si ? &l->request.units : NULL,
+      po_input_load_unit(&l->request), po_text_string(&command), curve->points, curve->count);
+  po_text_clear(&command);
+  return status;
+}
+
+static po_form_input input_of(const po_theory_line *l, const po_form *form) {
   const double variables[] = {(double)NAN, l->approach, l->contact_radius, l->gap};
-  const po_form_input input = {l->request.scene, l->alpha, variables[form->variable], l->tension,
-                               po_texts_is_general(&l->options.given, form, &l->request.scene)};
+  const po_preload preload = l->request.preload;
+  const bool states = form->takes & PO_TAKES_STATE;
+  const po_form_held held = states && !isnan(l->load)       ? PO_FORM_HOLDS_LOAD
+                            : states && !isnan(l->approach) ? PO_FORM_HOLDS_APPROACH
+                                                            : PO_FORM_HOLDS_NOTHING;
+  return (po_form_input){.scene = l->request.scene,
+                         .alpha = l->alpha,
+                         .at = variables[form->variable],
+                         .tension = l->tension,
+                         .general = po_texts_is_general(&l->options.given, form, &l->request.scene),
+                         .held = held,
+                         .value = held == PO_FORM_HOLDS_LOAD ? l->load : l->approach,
+                         .has_preload = isfinite(preload.approach) || !isnan(preload.load),
+                         .preload = preload};
+}
+
+static po_status print(const po_theory_line *l, const po_form *form) {
+  const po_form_input input = input_of(l, form);
   po_form_values values = {.count = 0};
-  const po_status status = po_form_evaluate(form, &input, &values);
-  if (status)
-    return status;
-  return l->json ? print_json(l, form->name, &values) : print_text(l, form->name, &values);
+  form_curve curve = {NULL, 0};
+  po_status status = po_form_evaluate(form, &input, &values);
+  if (!status && l->curve)
+    status = po_form_curve(form, &input, &curve.points, &curve.count);
+  if (!status && !(l->curve && strcmp(l->curve, "-") == 0))
+    status = l->json ? print_json(l, form, &input, &values, &curve)
+                     : print_text(l, form, &input, &values);
+  if (!status && l->curve)
+    status = write_curve(l, form, &input, &curve);
+  free(curve.points);
+  return status;
 }
 
 int po_verb_theory(int argc, char **argv) {
@@ -237,6 +310,7 @@ int po_verb_theory(int argc, char **argv) {
                          .alpha = NAN,
                          .gap = NAN,
                          .tension = NAN,
+                         .load = NAN,
                          .approach = NAN,
                          .contact_radius = NAN};
   po_status status = PO_OK;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "po_forms.h"
-#include "po_json_digest.h"
+#include "po_json_form.h"
 #include "po_library.h"
 #include "po_memory.h"
 #include "po_quote.h"
@@ -155,21 +155,51 @@ static po_status check_form(const po_form *form, const po_texts *given,
                        domain[form->variable].expected);
 }
 
-static po_status evaluate(const char *name, const pulloff_scene *scene, double alpha, double at,
-                          pulloff_result **result) {
+/* Sets the state of an input from the number of a variable. */
+static void set_state(po_form_input *input, const po_form *form, po_key key, double value) {
+  const po_form_variable own[] = {PO_FORM_AT_APPROACH, PO_FORM_AT_CONTACT_RADIUS};
+  const bool is_load = key == PO_KEY_LOAD;
+  if (!is_load && form->variable == own[key == PO_KEY_CONTACT_RADIUS])
+    input->at = value;
+  else
+    input->held = is_load ? PO_FORM_HOLDS_LOAD : PO_FORM_HOLDS_APPROACH;
+  input->value = value;
+}
+
+/* Evaluates the form. Given: `key`, a variable, in its unit or in SI units, and its value; -1: the
+ * value is that of the variable of the form. */
+static po_status evaluate(const char *name, const pulloff_scene *scene, double alpha, int key,
+                          double at, pulloff_result **result) {
   const po_form *form = po_form_find(name);
   if (!form)
     return po_form_refuse(name);
+  char value[PO_NUMBER_LENGTH] = "";
+  po_number_print(at, value);
+  const char *text = key < 0 ? NULL : value;
+  const po_texts given = po_library_given(scene, key, text);
   po_request request;
-  po_status status = po_library_request(scene, -1, NULL, &request);
+  po_status status = po_library_request(scene, key, text, &request);
   if (status)
     return status;
-  po_form_input input = {request.scene, alpha, at};
-  const po_texts given = po_library_given(scene, -1, NULL);
+  const bool takes_state = form->takes & PO_TAKES_STATE;
+  const unsigned curve = form->takes & PO_TAKES_CURVE ? PO_WANT_CURVE : 0;
+  po_form_input input = {request.scene, alpha, key < 0 ? at : (double)NAN};
+  input.has_preload = isfinite(request.preload.approach) || !isnan(request.preload.load);
+  input.preload = request.preload;
   po_use others[] = {{"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA},
                      {"", po_texts_has(&given, PO_KEY_PROFILE_APPROACH), false},
-                     {"want", request.want != 0, false}};
+                     {"want", (request.want & ~curve) != 0, false},
+                     {"", po_texts_has(&given, PO_KEY_LOAD), takes_state},
+                     {"", po_texts_has(&given, PO_KEY_APPROACH),
+                      takes_state || form->variable == PO_FORM_AT_APPROACH},
+                     {"", po_texts_has(&given, PO_KEY_CONTACT_RADIUS),
+                      form->variable == PO_FORM_AT_CONTACT_RADIUS}};
   po_texts_name(&given, PO_KEY_PROFILE_APPROACH, others[1].name);
+  for (int k = 0; k < 3; ++k)
+    po_texts_name(&given, PO_KEY_LOAD + k, others[3 + k].name);
+  if (key >= 0)
+    set_state(&input, form, po_key_target(key),
+              po_texts_number(&given, po_key_target(key), &request.units));
   input.general = po_texts_is_general(&given, form, &request.scene);
   if (isnan(alpha) && (po_texts_has(&given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&request.scene)))
     input.alpha = po_scene_alpha(&request.scene);
@@ -177,20 +207,23 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
   if (!status)
     status = check_form(form, &given, &input);
   po_form_values values = {.count = 0};
+  po_form_point *points = NULL;
+  size_t count = 0;
   if (!status)
     status = po_form_evaluate(form, &input, &values);
+  if (!status && request.want & PO_WANT_CURVE)
+    status = po_form_curve(form, &input, &points, &count);
   if (status)
     return status;
   po_result none = po_result_none();
   *result = po_library_result(&request, &none);
+  if (*result) {
+    json_decref((*result)->document);
+    (*result)->document = po_json_form(form, &input, &values, points, count);
+  }
+  free(points);
   if (!*result)
     return PO_NO_MEMORY;
-  json_decref((*result)->document);
-  (*result)->document =
-      PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(form->name)});
-  for (size_t i = 0; i < values.count; ++i)
-    po_json_set(&(*result)->document, values.items[i].name, po_json_number(values.items[i].value));
-  po_json_seal(&(*result)->document);
   if ((*result)->document)
     return PO_OK;
   pulloff_result_destroy(*result);
@@ -203,6 +236,31 @@ pulloff_status pulloff_theory(const char *form, const pulloff_scene *scene, doub
   *result = NULL;
   po_library_call call;
   const po_status status = po_library_enter(&call);
-  return po_library_leave(&call, status ? status : evaluate(form, scene, alpha, at, result),
+  return po_library_leave(&call, status ? status : evaluate(form, scene, alpha, -1, at, result),
                           message);
+}
+
+static po_status evaluate_at(const char *form, const pulloff_scene *scene, double alpha,
+                             const char *variable, double at, pulloff_result **result) {
+  const int key = po_texts_key(variable);
+  char shown[PO_QUOTE_LENGTH];
+  if (key < PO_KEY_VARIABLES)
+    return po_fail(PO_BAD_INPUT,
+                   "the variable of a closed form is %s: expected load, approach or "
+                   "contact_radius, or one of them in SI units: load_n, approach_m or "
+                   "contact_radius_m",
+                   po_quote(variable, shown));
+  if (!isfinite(at))
+    return po_fail(PO_BAD_INPUT, "%s is %g: expected a finite number", variable, at);
+  return evaluate(form, scene, alpha, key, at, result);
+}
+
+pulloff_status pulloff_theory_at(const char *form, const pulloff_scene *scene, double alpha,
+                                 const char *variable, double at, pulloff_result **result,
+                                 pulloff_message *message) {
+  *result = NULL;
+  po_library_call call;
+  const po_status status = po_library_enter(&call);
+  return po_library_leave(
+      &call, status ? status : evaluate_at(form, scene, alpha, variable, at, result), message);
 }

@@ -188,13 +188,24 @@ pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const
                               size_t count, pulloff_result **results, pulloff_message *message);
 
 /* Evaluates a closed form: bradley, rigid, jkr, guduru, kesari-lew and the others that `pulloff
- * theory --help` lists. Given: `alpha`, A R/lambda^2 in place of the wavelength; NAN: that of the
+ * theory --help` lists; after the preload of the scene, if it has one and the form depends on it.
+ * Given: `alpha`, A R/lambda^2 in place of the wavelength; NAN: that of the
  * scene; `at`, the value of the variable of the form (approach, contact radius or gap); NAN: none.
  * A key that is set, and on which the form does not depend, is refused.
  * Returned: *result, with the numbers that `pulloff theory --json` prints, such as pull_off_force.
  * Status: PULLOFF_BAD_INPUT, PULLOFF_NO_MEMORY. */
 pulloff_status pulloff_theory(const char *form, const pulloff_scene *scene, double alpha, double at,
                               pulloff_result **result, pulloff_message *message);
+
+/* The same in the state with a load, an approach or a contact radius. Given: `variable`, "load",
+ * "approach" or "contact_radius", or in SI units "load_n", "approach_m" or "contact_radius_m";
+ * `at`, its value. At a load or an approach it is the stable state of unloading, after the preload
+ * of the scene (keys preload and preload_load), without one from the hardest preload. The key want
+ * may be "curve" for a form that has a curve. Status: also PULLOFF_BAD_INPUT if there is no such
+ * state. */
+pulloff_status pulloff_theory_at(const char *form, const pulloff_scene *scene, double alpha,
+                                 const char *variable, double at, pulloff_result **result,
+                                 pulloff_message *message);
 
 /* -- Result -- */
 

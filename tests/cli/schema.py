@@ -72,6 +72,8 @@ THEORIES = [
     f"lennard-jones {SI} --gap 0.2", "jkr --from-physical --young-pa 5e9 --poisson 0.4 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8,6e-8",
     "jkr --profile cone:0.3 --coupling 0.05 --contact-radius 3",
     "maugis --tabor 1 --contact-radius 9", f"jkr {SI} --wave 1e-10,5e-9 --contact-radius-m 6e-9",
+    f"guduru {WAVY_SI} --preload-load-n 1e-9 --load-n 0", "jkr --curve curve.csv", f"jkr {SI} --approach-m 0", "dmt --load 0", "maugis --load 0",
+    f"guduru --tabor 3 {WAVES} --preload-load 1 --load -0.3", f"jkr --tabor 3 {WAVES} --preload 1",
     f"maugis {SI} --contact-radius-m 6e-9", "rigid --law morse:2 --approach 0.1",
 ]
 FOLLOWS = ["--key tabor --from 1 --to 2 --points 4", "--key tabor --from 2 --to 0.5 --points 5 --of folds",

@@ -170,6 +170,28 @@ def test_a_failed_solve():
     found = {row["theory"]: row for row in json.loads(expect(3, "pulloff: the solve failed: *", f"compare {words} --json").out)["theories"]}
     for name, row in rows(WAVY).items():
         assert found[name]["force"] == row["force"] and found[name]["deviation"] is None, name
+    # the number of waves is known without the solve, and whether the gap rises
+    assert found["kesari-lew"]["decided_by"] == "zone" and found["kesari-lew"]["assumptions"] == "no"
+
+
+@pytest.mark.parametrize("scene, held, unknown", [
+    ("--tabor 9474 --amplitude 33333 --wavelength 1e6 --radius 4.2e7", "none", "JKR, Maugis-Dugdale, Eq 5 after the preload, Kesari-Lew"),
+    ("--tabor 9474 --amplitude 3333 --wavelength 1e7 --radius 4.2e7", "JKR, Maugis-Dugdale, Eq 5 after the preload", None),
+    ("--tabor 9474 --radius 4.2e7", "JKR, Maugis-Dugdale, Carpick-Ogletree-Salmeron, Pietrement-Troyon, Schwarz", None),
+    ("--tabor 0.05", "rigid bodies, DMT, Maugis-Dugdale, Carpick-Ogletree-Salmeron, Pietrement-Troyon, Schwarz", None)])
+def test_whose_assumptions_hold_without_a_solve(scene, held, unknown):
+    """Spheres of centimetres on gelatin, with grooves and with a gap that rises everywhere (Eqs 3 and 4), smooth, and a stiff one."""
+    shown = expect(3, "pulloff: the solve failed: *", f"compare {scene} --preload-load 1.7 --time-limit 1e-6").out.splitlines()
+    assert [line.split(maxsplit=2)[2] for line in shown if line.startswith("assumptions hold")] == [held]
+    assert [line[27:] for line in shown if line.startswith("only a solve decides")] == ([unknown] if unknown else [])
+
+
+def test_theories_that_run_out_of_time_say_so():
+    """The rows that followed were missing. A contact with thousands of waves: the path of Eq 5 takes longer than half a second."""
+    words = "--tabor 9474 --amplitude 333 --wavelength 3333 --radius 4.2e7 --preload-load 1.7 --time-limit 1e-6 --json"
+    found = json.loads(expect(3, "pulloff: the solve failed: *", "compare " + words).out)["theories"]
+    assert len(found) == 11 and found[-1]["force"] > 0
+    assert all(row["force"] or row["reason"] or row["theory"] == "persson-tosatti" for row in found)
 
 
 def test_the_simpler_of_two_is_named():

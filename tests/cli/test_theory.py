@@ -114,13 +114,15 @@ def test_forms_of_waves_alone(form):
 
 
 ELASTIC = "only --tabor, --coupling, --amplitude, --wavelength, --radius or --contact-radius"
+STATES = "--load, --approach, --contact-radius or --curve"
+GUDURU = "only --tabor, --coupling, --amplitude, --wavelength, --radius, --preload, --preload-load, " + STATES
 IDLE = (  # name, flags, expected, the other options
-    ("jkr", "--alpha --approach --gap", "only --tabor, --coupling, --amplitude, --wavelength, --radius, --profile, --profile-file, --wave or "
-     "--contact-radius", ""),
-    ("dmt", "--amplitude --wavelength --alpha --approach --gap", "only --tabor, --coupling, --radius or --contact-radius", ""),
+    ("jkr", "--alpha --gap", "only --tabor, --coupling, --amplitude, --wavelength, --radius, --profile, --profile-file, --wave, --preload, "
+     "--preload-load, " + STATES, ""),
+    ("dmt", "--amplitude --wavelength --alpha --gap", "only --tabor, --coupling, --radius, " + STATES, ""),
     ("lennard-jones", "--tabor --amplitude --wavelength --radius --alpha --approach --contact-radius", "only --gap", ""),
     ("bradley", "--tabor --amplitude --wavelength --radius --alpha --contact-radius --gap", "only --approach", ""),
-    ("guduru", "--alpha --approach --gap", ELASTIC, "--amplitude 1 --wavelength 9"),
+    ("guduru", "--alpha --gap", GUDURU, "--amplitude 1 --wavelength 9"),
     ("kesari-lew", "--alpha --approach --gap", ELASTIC, "--amplitude 1 --wavelength 9"),
     ("compactness", "--tabor", "only --amplitude, --wavelength or --radius", "--amplitude 1 --wavelength 9"),
     ("crest", "--tabor", "only --amplitude, --wavelength or --radius", "--amplitude 1 --wavelength 9"),

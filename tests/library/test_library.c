@@ -279,6 +279,36 @@ START_TEST(a_series_is_followed) {
 }
 END_TEST
 
+START_TEST(closed_forms_are_evaluated_in_a_state) {
+  const double none = NAN;
+  double value = 0;
+  ck_assert_int_eq(pulloff_theory_at("jkr", scene, none, "approach", 0, &result, &message),
+                   PULLOFF_OK);
+  ck_assert_int_eq(pulloff_result_number(result, "load", &value, NULL), PULLOFF_OK);
+  ck_assert_double_eq_tol(value, -4.0 / 3.0, 1e-13);
+  const struct {
+    const char *variable;
+    double at;
+    const char *message;
+  } wrong[] = {
+      {"tabor", 1, "the variable of a closed form is tabor: expected load, approach or "},
+      {"", 1, "the variable of a closed form is "},
+      {"load", NAN, "load is nan: expected a finite number"},
+      {"load", -2, "the JKR theory has no stable state at load -2: the lowest of all states is "},
+      {"load_n", 0, "modulus_pa is missing: expected "},
+      {"contact_radius", -1, "contact_radius is -1: expected a finite number >= 0"}};
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+    pulloff_result *other;
+    ck_assert_int_eq(
+        pulloff_theory_at("jkr", scene, none, wrong[i].variable, wrong[i].at, &other, &message),
+        PULLOFF_BAD_INPUT);
+    ck_assert_ptr_null(other);
+    ck_assert_msg(strncmp(message.text, wrong[i].message, strlen(wrong[i].message)) == 0, "%s",
+                  message.text);
+  }
+}
+END_TEST
+
 START_TEST(closed_forms_are_evaluated) {
   const double none = NAN;
   double value = 0;
@@ -300,19 +330,22 @@ START_TEST(closed_forms_are_evaluated) {
       {"rigid", "amplitude 0", -2, none, "alpha is -2: expected a finite number > 0"},
       /* a key without effect used to be ignored, where the command line refuses the option */
       {"bradley", "tabor 1", none, none,
-       "tabor has no effect on theory bradley: expected it to be left out"},
+       "tabor has no effect on theory bradley: expected only approach"},
       {"dmt", "amplitude 1 wavelength 20", none, none,
-       "amplitude has no effect on theory dmt: expected only tabor, coupling or radius"},
+       "amplitude has no effect on theory dmt: expected only tabor, coupling, radius, load, "
+       "approach or contact_radius"},
       {"rigid", "amplitude 1 wavelength 20", 0.3, none,
-       "wavelength has no effect on theory rigid with alpha: expected only amplitude or alpha"},
+       "wavelength has no effect on theory rigid with alpha: expected only amplitude, alpha or "
+       "approach"},
       {"guduru", "amplitude 1 wavelength 20 profile cone:0.3", none, none,
        "profile has no effect on theory guduru: expected only tabor, coupling, amplitude, "
-       "wavelength or radius"},
+       "wavelength, radius, preload, preload_load, load, approach or contact_radius"},
       {"guduru", "amplitude 1 wavelength 20 scheme panel", none, none,
        "scheme has no effect on theory guduru: expected only "},
       {"guduru", "amplitude 1 wavelength 20", 0.3, none,
        "alpha has no effect on theory guduru: expected only "},
-      {"jkr", "want curve", none, none, "want has no effect on theory jkr: expected only "},
+      {"jkr", "want profile", none, none, "want has no effect on theory jkr: expected only "},
+      {"dmt", "preload 1", none, none, "preload has no effect on theory dmt: expected only "},
       {"bradley", "want hysteresis", none, none, "want has no effect on theory bradley: "},
       {"jkr", "profile_approach -1", none, none,
        "profile_approach has no effect on theory jkr: expected only "},
@@ -441,6 +474,7 @@ int main(void) {
   tcase_add_test(tests, a_solve_that_ends_early_has_a_result);
   tcase_add_test(tests, a_series_is_followed);
   tcase_add_test(tests, closed_forms_are_evaluated);
+  tcase_add_test(tests, closed_forms_are_evaluated_in_a_state);
   tcase_add_test(tests, scenes_in_si_units);
   tcase_add_test(tests, the_thread_keeps_its_state);
   tcase_add_test(tests, statuses_have_texts);

@@ -70,6 +70,26 @@ class SameNumbers(unittest.TestCase):
                         "--contact-radius", "12")
         self.assertEqual(pulloff.theory("guduru", tabor=5, amplitude=10, wavelength=20, at=12),
                          {key: value for key, value in shown.items() if key not in ("schema", "theory")})
+        wavy = dict(tabor=5, amplitude=2, wavelength=20)
+        shown = program("theory", "guduru", "--tabor", "5", "--amplitude", "2", "--wavelength", "20", "--preload-load", "1",
+                        "--load", "-0.7")
+        found = pulloff.theory("guduru", **wavy, preload_load=1, load=-0.7, want="curve")
+        curve = found.pop("curve")
+        self.assertEqual(found | {"digest": ""}, {key: value for key, value in shown.items() if key not in ("schema", "theory")} | {"digest": ""})
+        self.assertAlmostEqual(curve["load"][-1], found["reversal_load"], 12)
+        self.assertEqual(curve["stable_at_load"].dtype, bool)
+        gelatin = dict(modulus_pa=7e5, work_j_per_m2=0.03, distance_m=3e-10, radius_m=0.0125)
+        at = pulloff.theory("jkr", **gelatin, load_n=0)
+        self.assertAlmostEqual(at["contact_radius"] * 3e-10 / (4.5 * np.pi * 0.03 * 0.0125**2 / 7e5)**(1 / 3), 1, 12)
+        self.assertEqual(pulloff.theory("dmt", approach=0.25)["contact_radius"], 5)
+        self.assertEqual(pulloff.theory("jkr", contact_radius=3.0), pulloff.theory("jkr", at=3.0))
+        for wrong, text in (({"load": 0, "at": 1}, "load and at are given: expected one of them"),
+                            ({"load": 0, "approach": 1}, "load, approach are given: expected one of them"),
+                            ({"load": np.inf}, "load is inf: expected a finite number"),
+                            ({"load": -1.6}, "the JKR theory has no stable state at load -1.6: the lowest of all states is -1.5"),
+                            ({"load": "x"}, "load is 'x': expected a finite number, or None")):
+            with self.assertRaisesRegex(pulloff.Error, text):
+                pulloff.theory("jkr", **wrong)
         self.assertEqual(pulloff.theory("bradley")["pull_off_force"], 2)
         self.assertIsNone(pulloff.theory("crest", amplitude=0)["crest_radius"])
 

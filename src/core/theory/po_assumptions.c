@@ -4,6 +4,7 @@
 
 #include "po_abel.h"
 #include "po_elementary.h"
+#include "po_estimates.h"
 #include "po_maugis.h"
 
 /* -- What each theory assumes -- */
@@ -109,6 +110,27 @@ static double barrier_of_waves(const po_scene *scene) {
   return sum;
 }
 
+/* Whether the gap rises everywhere, so that JKR theory has a full disc: of the sphere with one
+ * wave, Eqs 3 and 4; profiles without waves. */
+static bool is_compact(const po_scene *scene) {
+  if (!po_scene_is_wavy(scene))
+    return po_abel_fall(scene) == 0.0;
+  return po_scene_is_of_paper(scene) &&
+         po_scene_alpha(scene) * po_compactness_of(scene).bound < 1.0;
+}
+
+/* The part of the contact radius without a groove and the contact radius, of a scene that is not
+ * solved: in the JKR theory. NAN: only the solve decides, as where grooves may be open. */
+static void find_unsolved(const po_scene *scene, double a, double *full_disc, double *radius) {
+  double gap, outside;
+  *full_disc = is_compact(scene) ? 1.0 : (double)NAN;
+  *radius = a;
+  if (isnan(*full_disc) && isfinite(a) && !po_jkr_profile_check(scene, a, &gap, &outside) &&
+      gap < 0.0)
+    *full_disc = 0.0;
+  po_message_clear();
+}
+
 void po_assumptions_find(const po_request *request, const po_result *result,
                          const po_closed_states *states, double number[PO_ASSUMPTION_COUNT]) {
   const po_scene *scene = &request->scene;
@@ -118,6 +140,9 @@ void po_assumptions_find(const po_request *request, const po_result *result,
   const double zone = zone_of(scene, tension, a),
                effect = is_sphere ? effect_of_waves(scene, tension) : 1.0;
   const double length = po_abel_longest_wave(scene);
+  double full_disc = result->pull_off.full_disc, radius = result->pull_off.contact_radius;
+  if (!is_solved)
+    find_unsolved(scene, a, &full_disc, &radius);
   number[PO_ASSUMES_NOTHING] = NAN;
   number[PO_ASSUMES_ELONGATION] =
       tension * po_rigid_profile_elongation(scene, states->rigid.approach);
@@ -125,8 +150,8 @@ void po_assumptions_find(const po_request *request, const po_result *result,
   number[PO_ASSUMES_ZONE] = zone;
   number[PO_ASSUMES_FLAT] = stress_of_flat(scene, tension, a);
   number[PO_ASSUMES_FORM] = effect > 0.0 ? effect * zone / (1.0 + zone) : 0.0;
-  number[PO_ASSUMES_FULL_DISC] = is_solved ? result->pull_off.full_disc : (double)NAN;
-  number[PO_ASSUMES_WAVES] = is_solved ? result->pull_off.contact_radius / length : (double)NAN;
+  number[PO_ASSUMES_FULL_DISC] = full_disc;
+  number[PO_ASSUMES_WAVES] = radius / length;
   number[PO_ASSUMES_EFFECT] = effect;
   number[PO_ASSUMES_BARRIER] = barrier_of_waves(scene);
   number[PO_ASSUMES_NEXT_CREST] = 0.5 * length * length / scene->radius;

@@ -33,7 +33,9 @@ typedef struct {
   po_contact jkr; /* its pull-off */
 } po_closed_states;
 
-/* Finds the numbers of all assumptions. NAN: not known. */
+/* Finds the numbers of all assumptions. Those of the computed contact are taken, if the solve
+ * failed, from the JKR theory: the contact radius at its pull-off; and whether the contact is a
+ * full disc where the gap rises everywhere, or where its surfaces overlap. NAN: not known. */
 void po_assumptions_find(const po_request *request, const po_result *result,
                          const po_closed_states *states, double number[PO_ASSUMPTION_COUNT]);
 

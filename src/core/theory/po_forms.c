@@ -9,6 +9,7 @@
 #include "po_quote.h"
 #include "po_rigid_profile.h"
 #include "po_suggest.h"
+#include "po_theory_forces.h"
 
 static void put(po_form_values *values, po_form_unit unit, const char *name, double value) {
   values->items[values->count++] = (po_form_value){name, unit, value, false};
@@ -231,31 +232,130 @@ static void lennard_jones_along(const po_form_input *in, po_form_values *v) {
   put(v, PO_FORM_TENSION, "traction", po_lennard_jones_traction(in->at));
 }
 
+/* -- The state at a given load or approach, and after a preload -- */
+
+static const char *const REVERSAL[] = {"reversal_load", "reversal_approach",
+                                       "reversal_contact_radius"};
+
+/* Appends the states of the JKR curve after the preload. Returned: the contact radius at which
+ * loading is reversed; INFINITY without a preload. */
+static double jkr_after_preload(const po_form_input *in, po_form_values *v) {
+  po_jkr_preloaded state = {NO_CONTACT, NO_CONTACT, 0};
+  double gap = NAN, radius;
+  if (!in->has_preload)
+    return INFINITY;
+  if (!v->status)
+    note(v, po_jkr_after_preload(&in->scene, in->preload, &state));
+  if (!v->status)
+    note(v, po_jkr_profile_check(&in->scene, state.reversal.contact_radius, &gap, &radius));
+  put_contact(v, REVERSAL, state.reversal);
+  put(v, PO_FORM_LENGTH, "reversal_least_gap", gap);
+  put(v, PO_FORM_PURE, "loading_jumps", (double)state.loading_jumps);
+  put(v, PO_FORM_FORCE, "after_preload_force", fmax(0.0, -state.pull_off.load));
+  put(v, PO_FORM_LENGTH, "after_preload_approach", state.pull_off.approach);
+  put(v, PO_FORM_LENGTH, "after_preload_contact_radius", state.pull_off.contact_radius);
+  return state.reversal.contact_radius;
+}
+
+/* Finds the contact radius of the stable state that is held, within that of the preload. */
+static po_status find_radius(const po_form *form, const po_form_input *in, double within,
+                             double *a) {
+  const bool by_load = in->held == PO_FORM_HOLDS_LOAD;
+  const po_fixed fixed = by_load ? PO_FIXED_LOAD : PO_FIXED_APPROACH;
+  const double least = by_load ? -2.0 : 0.0;
+  *a = NAN;
+  if (form->along == maugis_along)
+    return po_maugis_outermost(&in->scene, tension_of(in), fixed, in->value, a);
+  if (form->along != dmt_along)
+    return po_jkr_profile_outermost(&in->scene, fixed, in->value, within, a);
+  *a = po_dmt_radius(&in->scene, fixed, in->value);
+  return in->value >= least
+             ? PO_OK
+             : po_fail(PO_NOT_FOUND, "DMT has no contact at %s %.9g: expected at least %g",
+                       by_load ? "load" : "approach", in->value, least);
+}
+
+/* Appends the state that is held. It has the held number as it was given. */
+static void held_state(const po_form *form, const po_form_input *in, double within,
+                       po_form_values *v) {
+  po_form_input here = *in;
+  const size_t first = v->count;
+  const char *held = HERE[in->held == PO_FORM_HOLDS_LOAD ? 0 : 1];
+  note(v, find_radius(form, in, within, &here.at));
+  if (v->status)
+    return;
+  form->along(&here, v);
+  for (size_t i = first; i < v->count; ++i)
+    if (strcmp(v->items[i].name, held) == 0)
+      v->items[i].value = in->value;
+}
+
+/* -- The table -- */
+
 enum {
   WAVES = PO_TAKES_AMPLITUDE | PO_TAKES_WAVELENGTH | PO_TAKES_RADIUS,
-  ALL = PO_TAKES_TABOR | WAVES
+  ALL = PO_TAKES_TABOR | WAVES,
+  STATES = PO_TAKES_STATE | PO_TAKES_CURVE
 };
 
+#define LOWEST "any that reaches this pull-off, the lowest minimum over every contact radius"
+
 static const po_form FORMS[] = {
-    {"bradley", bradley, bradley_along, PO_FORM_AT_APPROACH, 0, 0},
+    {"bradley", bradley, bradley_along, PO_FORM_AT_APPROACH, 0, 0,
+     "Eq 23; Bradley 1932: rigid smooth sphere", "any: rigid bodies have one load at an approach"},
     {"rigid", rigid, rigid_along, PO_FORM_AT_APPROACH, PO_NEEDS_ALPHA | PO_NEEDS_AMPLITUDE,
-     WAVES | PO_TAKES_ALPHA | PO_TAKES_PROFILE | PO_TAKES_LAW},
-    {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC, ALL | PO_TAKES_PROFILE},
+     WAVES | PO_TAKES_ALPHA | PO_TAKES_PROFILE | PO_TAKES_LAW,
+     "Eqs 21 and 22, other profiles and laws Derjaguin 1934: rigid bodies",
+     "any: rigid bodies have one load at an approach"},
+    {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
+     ALL | PO_TAKES_PROFILE | PO_TAKES_PRELOAD | STATES,
+     "Eqs 7 and 8, other profiles and waves Sneddon 1965; Johnson, Kendall and Roberts 1971",
+     LOWEST},
     {"dmt", dmt, dmt_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
-     PO_TAKES_TABOR | PO_TAKES_RADIUS},
+     PO_TAKES_TABOR | PO_TAKES_RADIUS | STATES,
+     "Derjaguin, Muller and Toporov 1975: Hertz contact under the load and 2 pi w R",
+     "any: DMT has one state at a load"},
     {"maugis", maugis, maugis_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
-     ALL | PO_TAKES_PROFILE | PO_TAKES_LAW | PO_TAKES_TENSION},
+     ALL | PO_TAKES_PROFILE | PO_TAKES_LAW | PO_TAKES_TENSION | STATES,
+     "Maugis 1992, any profile and waves: a constant tension around a full disc of contact",
+     LOWEST},
     {"guduru", guduru, guduru_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_WAVES | PO_NEEDS_ELASTIC,
-     ALL},
+     ALL | PO_TAKES_PRELOAD | STATES,
+     "Eq 5; Guduru 2007: JKR of a wavy sphere, contact on a full disc", LOWEST},
     {"kesari-lew", kesari_lew, kesari_lew_along, PO_FORM_AT_CONTACT_RADIUS,
-     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC, ALL},
+     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC, ALL, "Eq 24; Kesari and Lew 2011: envelope of Eq 5",
+     "one that closes all grooves of many waves"},
     {"persson-tosatti", persson_tosatti, NULL, PO_FORM_AT_NOTHING,
-     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC, ALL},
+     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC, ALL,
+     "Eqs 25 to 30; Persson and Tosatti 2001: energy of complete contact",
+     "one that closes all grooves"},
     {"rumpf-rabinowicz", rumpf_rabinowicz, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_ALPHA,
-     WAVES | PO_TAKES_ALPHA},
-    {"compactness", compactness, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES, WAVES},
-    {"crest", crest, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES, WAVES},
-    {"lennard-jones", lennard_jones, lennard_jones_along, PO_FORM_AT_GAP, 0, 0}};
+     WAVES | PO_TAKES_ALPHA, "Eq 20; Rumpf 1990, Rabinowicz: rigid crest on a rigid sphere",
+     "any: rigid bodies have one load at an approach"},
+    {"compactness", compactness, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES, WAVES,
+     "Eqs 3 and 4: geometry", NULL},
+    {"crest", crest, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES, WAVES,
+     "Eqs 18 and 19: rigid central crest", "any: rigid bodies have one load at an approach"},
+    {"lennard-jones", lennard_jones, lennard_jones_along, PO_FORM_AT_GAP, 0, 0,
+     "Eq 9: traction-separation law", NULL}};
+
+const char *po_form_preload(const po_form *form, const po_form_input *input) {
+  return input->has_preload
+             ? "of after_preload: loading at given approach from separation, with the jumps of "
+               "this theory; of pull_off: any"
+             : form->preload;
+}
+
+const char *po_form_branch(const po_form_input *input) {
+  if (input->held == PO_FORM_HOLDS_NOTHING)
+    return NULL;
+  const bool by_load = input->held == PO_FORM_HOLDS_LOAD;
+  if (input->has_preload)
+    return by_load ? "stable at given load: that of unloading after the preload"
+                   : "stable at given approach: that of unloading after the preload";
+  return by_load ? "stable at given load: that of unloading from the hardest preload"
+                 : "stable at given approach: that of unloading from the hardest preload";
+}
 
 const char *const PO_FORM_NAMES =
     "bradley, rigid, jkr, dmt, maugis, guduru, kesari-lew, persson-tosatti, "
@@ -290,8 +390,13 @@ po_status po_form_evaluate(const po_form *form, const po_form_input *input,
   form->fixed(input, values);
   if (!isnan(input->at) && !values->status)
     form->along(input, values);
-  if (values->status)
-    return values->status;
+  if (!values->status && form->takes & (PO_TAKES_PRELOAD | PO_TAKES_STATE)) {
+    const double within = jkr_after_preload(input, values);
+    if (input->held && !values->status)
+      held_state(form, input, within, values);
+  }
+  if (values->status) /* a state that does not exist was asked for */
+    return values->status == PO_NOT_FOUND ? PO_BAD_INPUT : values->status;
   for (size_t i = 0; i < values->count; ++i) {
     const po_form_value *item = &values->items[i];
     if (!isfinite(item->value) && !(isinf(item->value) && item->may_be_infinite))

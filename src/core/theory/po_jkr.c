@@ -23,6 +23,11 @@ po_contact po_dmt_at(const po_scene *scene, double contact_radius) {
                       .contact_radius = contact_radius};
 }
 
+double po_dmt_radius(const po_scene *scene, po_fixed fixed, double value) {
+  return po_scene_gamma(scene) * (fixed == PO_FIXED_LOAD ? po_cbrt(0.75 * M_PI * (value + 2.0))
+                                                         : sqrt(value / scene->tabor));
+}
+
 /* dW/da = 0 at (a/Gamma)^3 = 9 pi/8; dDelta/da = 0 at (a/Gamma)^3 = pi/8. */
 po_contact po_jkr_pull_off(const po_scene *scene) {
   return po_jkr_at(scene, po_cbrt(9.0 * M_PI / 8.0) * po_scene_gamma(scene));

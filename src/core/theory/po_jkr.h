@@ -24,6 +24,9 @@ po_contact po_jkr_at(const po_scene *scene, double contact_radius);
 /* The same of DMT: the contact of Hertz under the load, and 2 pi w R of attraction. */
 po_contact po_dmt_at(const po_scene *scene, double contact_radius);
 
+/* The contact radius, eps, of DMT at a load >= -2, or at an approach >= 0. */
+double po_dmt_radius(const po_scene *scene, po_fixed fixed, double value);
+
 /* The pull-off under load control: the minimum of the load, -3/2, at approach -0.77341693157
  * tabor. */
 po_contact po_jkr_pull_off(const po_scene *scene);

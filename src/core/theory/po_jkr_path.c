@@ -1,5 +1,6 @@
 #include "po_theory_forces.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -25,6 +26,13 @@ static const double RATIO = 1.05;
 /* While the curve is too short, it is computed again up to a contact radius that is larger by this
  * factor. It is needed where the lowest minimum is in a wide trough. */
 static const double LONGER = 1.6;
+/* Steps of Newton's method from an interpolated state, whose contact radius is off by some 1e-9 of
+ * it; and the longest step, over the radius. */
+enum { SHARPENING = 3 };
+static const double NEAR = 1e-6;
+/* The least approach, eps, of a preload that presses the bodies into contact: twice the tolerance
+ * with which a curve reaches an approach (po_path_reaches). */
+static const double TOUCH = 2e-9;
 /* Two loads that differ by less, relatively, are the same: above the rounding of a minimum, which
  * is 1e-14. */
 static const double SAME = 1e-9;
@@ -252,6 +260,10 @@ po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_stairca
 po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_control spring,
                             size_t most, po_hysteresis *hysteresis) {
   *hysteresis = (po_hysteresis){.has_spring = false};
+  if (preload.load == 0.0) /* the separated bodies have no load, and are not what is asked for */
+    preload.load = DBL_MIN;
+  if (preload.approach >= 0.0 && preload.approach < TOUCH) /* bodies that touch are in contact */
+    preload.approach = TOUCH;
   jkr_curve curve;
   po_contact least;
   po_status status = curve_of(scene, &curve, &least);
@@ -273,5 +285,47 @@ po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_contro
     }
     free(b.point);
   }
+  return status;
+}
+
+/* The state of the curve next to one that was interpolated, at the same load or approach. */
+static po_contact sharpened(const jkr_curve *c, const po_path_state *state, po_fixed fixed) {
+  if (!(state->position > 0.0))
+    return (po_contact){.load = 0.0, .approach = state->approach, .contact_radius = 0.0};
+  double a = radius_at(c, state->position);
+  for (int k = 0; k < SHARPENING; ++k) {
+    const po_contact here = c->at(c->scene, a);
+    const double rate = c->rate(c->scene, fixed, a), miss = fixed == PO_FIXED_LOAD
+                                                                ? state->load - here.load
+                                                                : state->approach - here.approach;
+    if (!(fabs(miss) <= NEAR * fabs(rate) * a)) /* at a special point, which is exact */
+      break;
+    a += miss / rate;
+  }
+  return c->at(c->scene, a);
+}
+
+po_status po_jkr_after_preload(const po_scene *scene, po_preload preload, po_jkr_preloaded *state) {
+  po_hysteresis loops;
+  jkr_curve curve;
+  po_contact least;
+  po_status status = po_jkr_hysteresis(scene, preload, (double)NAN, MOST_POINTS, &loops);
+  if (!status) {
+    status = curve_of(scene, &curve, &least);
+    const po_loop *loop = &loops.of[PO_AT_APPROACH];
+    const bool by_load =
+        fabs(loop->preload.load - preload.load) <= SAME * fmax(1.0, fabs(preload.load));
+    po_path_state reversal = loop->preload;
+    if (by_load) /* the number that was asked for */
+      reversal.load = preload.load;
+    else if (fabs(reversal.approach - preload.approach) <= TOUCH)
+      reversal.approach = preload.approach;
+    *state = (po_jkr_preloaded){
+        sharpened(&curve, &reversal, by_load ? PO_FIXED_LOAD : PO_FIXED_APPROACH),
+        sharpened(&curve, &loop->pull_off, PO_FIXED_APPROACH), (size_t)loop->loading_jumps};
+    if (loop->pull_off.position == loop->preload.position)
+      state->pull_off = state->reversal;
+  }
+  po_hysteresis_clear(&loops);
   return status;
 }

@@ -122,12 +122,12 @@ double po_jkr_profile_first(const po_scene *scene) {
   return a > SMALLEST && a < LARGEST ? a : NAN;
 }
 
-/* A contact radius beyond which the lower bound is positive. From the longest wavelength on, the
- * bounds of waves and adhesion grow as a^(3/2), or in the approach as sqrt(a), and the profile
- * faster. */
-static double last_radius(const curve *c, double from) {
+/* A contact radius beyond which the lower bound is above `value` >= 0. From the longest wavelength
+ * on, the bounds of waves and adhesion grow as a^(3/2), or in the approach as sqrt(a), and the
+ * profile faster. */
+static double last_radius(const curve *c, double from, double value) {
   double a = fmax(from, po_abel_longest_wave(c->scene));
-  while (a > 0.0 && a < LARGEST && !(bound_of(c, a, 0.0, a) > 0.0))
+  while (a > 0.0 && a < LARGEST && !(bound_of(c, a, 0.0, a) > value))
     a *= 2.0;
   return a;
 }
@@ -137,9 +137,9 @@ static const double LEAST_GROWTH = 0.5;
 
 enum { MOST_EDGES = 3 };
 
-/* The edges of the search: from where the curve has fallen to where it stays positive, with the
- * kink between. */
-static po_status find_edges(const curve *c, double edge[MOST_EDGES], size_t *edges) {
+/* The edges of the search: from where the curve has fallen to where it stays above `value` >= 0,
+ * with the kink between. */
+static po_status find_edges(const curve *c, double value, double edge[MOST_EDGES], size_t *edges) {
   const po_scene *scene = c->scene;
   const po_shape shape = po_profile_shape(&scene->profile);
   if (!is_inside(scene, 0.0))
@@ -154,7 +154,7 @@ static po_status find_edges(const curve *c, double edge[MOST_EDGES], size_t *edg
   double outer = fmax(edge[0], 2.0 * shape.kink); /* of NAN the other */
   if (isfinite(shape.end))
     outer = fmax(outer, 2.0 * shape.end);
-  outer = last_radius(c, outer);
+  outer = last_radius(c, outer, value);
   *edges = 1;
   if (shape.kink > edge[0])
     edge[(*edges)++] = shape.kink;
@@ -231,7 +231,7 @@ static po_status find_minimum(const curve *c, bool last, double most, double *a)
   search s = {.c = c, .last = last, .most = most};
   double edge[MOST_EDGES];
   size_t edges = 0;
-  const po_status status = find_edges(c, edge, &edges);
+  const po_status status = find_edges(c, 0.0, edge, &edges);
   if (status)
     return status;
   for (size_t i = 0; i + 1 < edges; ++i) {
@@ -269,6 +269,109 @@ double po_jkr_profile_last_minimum(const po_scene *scene, double load, double ex
     return NAN;
   const po_status status = find_minimum(&c, true, load, &a);
   return status == PO_OK ? a : status == PO_NOT_FOUND ? 0.0 : NAN;
+}
+
+/* -- The state at a given load or approach -- */
+
+/* The search for the greatest contact radius at which the curve rises through a value. */
+typedef struct {
+  curve c;
+  double value;
+  double a; /* the radius; NAN: not found */
+  size_t intervals;
+  po_status stopped;
+} passage;
+
+static double excess_at(double a, const void *data) {
+  const passage *p = data;
+  return value_at(a, &p->c) - p->value;
+}
+
+/* Takes the passage between two radii, at the inner one of which the curve is not above the value.
+ * At a minimum that touches it, it may be above by rounding. */
+static void take_passage(passage *p, double low, double high) {
+  const double at_low = excess_at(low, p);
+  p->a = at_low >= 0.0 ? low : po_root(excess_at, p, low, high);
+}
+
+/* An interval in which the derivative changes its sign once at most. Given: the curve is above the
+ * value at and beyond its upper end. */
+static void pass_in_detail(passage *p, double low, double high) {
+  const double from = nextafter(low, high); /* the derivative on the right of a corner */
+  const double left = rate_at(from, &p->c), right = rate_at(high, &p->c);
+  double turn = low; /* the curve rises from here on, or up to here */
+  if (left < 0.0 ? right >= 0.0 : right < 0.0)
+    turn = po_root(rate_at, &p->c, from, high);
+  const bool valley = left < 0.0 && right >= 0.0;
+  const double lowest = valley ? turn : low, highest = left >= 0.0 && right < 0.0 ? turn : high;
+  if (left < 0.0 && !valley) /* it falls */
+    return;
+  const double touch = ROUNDING * fabs(p->value);
+  if (excess_at(lowest, p) <= (valley ? touch : 0.0) && excess_at(highest, p) > 0.0)
+    take_passage(p, lowest, highest);
+}
+
+static void pass_in(passage *p, double low, double high) {
+  if (p->stopped || p->a > 0.0 || p->intervals >= MOST_INTERVALS ||
+      below(&p->c, low, high) > p->value + ROUNDING * fabs(p->value))
+    return;
+  p->intervals += 1;
+  p->stopped = po_deadline_check();
+  if (slowest(&p->c, low, high) > 0.0) { /* it rises */
+    if (excess_at(low, p) <= 0.0)
+      take_passage(p, low, high);
+    return;
+  }
+  if (high - low <= po_abel_detail(p->c.scene, low)) {
+    pass_in_detail(p, low, high);
+    return;
+  }
+  const double middle = high > 2.0 * low ? sqrt(low) * sqrt(high) : 0.5 * (low + high);
+  pass_in(p, middle, high);
+  pass_in(p, low, middle);
+}
+
+static po_status no_state(const passage *p, const char *why, double number) {
+  return po_fail(PO_NOT_FOUND, "the JKR theory has no stable state at %s %.9g: %s %.9g",
+                 p->c.fixed == PO_FIXED_LOAD ? "load" : "approach", p->value, why, number);
+}
+
+po_status po_jkr_profile_outermost(const po_scene *scene, po_fixed fixed, double value,
+                                   double within, double *a) {
+  passage p = {.c = curve_of(scene, fixed), .value = value, .a = NAN};
+  double edge[MOST_EDGES];
+  size_t edges = 0;
+  *a = NAN;
+  po_status status = find_edges(&p.c, fmax(value, 0.0), edge, &edges);
+  if (status)
+    return status;
+  const double greatest = isfinite(within) ? value_at(within, &p.c) : INFINITY;
+  if (within <= edge[0])
+    return no_state(&p, "the contact radius of the preload is", within);
+  if (value > greatest + ROUNDING * fabs(greatest))
+    return no_state(&p, "expected at most that of the preload,", greatest);
+  if (value >= greatest - ROUNDING * fabs(greatest)) {
+    *a = within;
+    return PO_OK;
+  }
+  for (size_t k = edges - 1; k-- > 0;)
+    if (edge[k] < within)
+      pass_in(&p, edge[k], fmin(edge[k + 1], within));
+  *a = p.a;
+  if (p.stopped)
+    return p.stopped;
+  if (p.intervals >= MOST_INTERVALS)
+    return po_fail(PO_TOO_MANY_POINTS,
+                   "more than %d intervals of the contact radius may have the %s %.9g: expected "
+                   "fewer waves in the contact",
+                   MOST_INTERVALS, fixed == PO_FIXED_LOAD ? "load" : "approach", value);
+  if (p.a > 0.0)
+    return PO_OK;
+  po_contact least;
+  status = po_jkr_profile_pull_off(scene, fixed, &least);
+  return status ? status
+                : no_state(&p, "the lowest of all states is",
+                           fixed == PO_FIXED_LOAD ? least.load : least.approach);
 }
 
 static double square(double x, po_abel t, const void *data) {

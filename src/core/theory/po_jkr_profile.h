@@ -40,6 +40,16 @@ double po_jkr_profile_last_minimum(const po_scene *scene, double load, double ex
  * Returned: NaN outside the domain. */
 double po_jkr_profile_first(const po_scene *scene);
 
+/* The greatest contact radius, up to `within` (INFINITY: any), at which the load, or the approach,
+ * has a value and rises with the contact radius. Unloading at given load, or at given approach,
+ * follows these states, as it jumps inwards where one ends: `within` is the contact radius at which
+ * loading was reversed, INFINITY that of a preload which is harder than any that matters. Status:
+ * PO_NOT_FOUND with the lowest value of all states, or that of the preload, if there is none; as
+ * po_jkr_profile_pull_off. Accuracy: 1e-13 of the largest term of load or approach
+ * (tests/cli/test_theory_states.py). */
+po_status po_jkr_profile_outermost(const po_scene *scene, po_fixed fixed, double value,
+                                   double within, double *contact_radius);
+
 /* Whether the contact is a full disc as the theory assumes: nowhere outside it do the surfaces
  * overlap. Returned: *gap, the lowest value found of gap(r) outside, and *radius where, if it is
  * negative; otherwise 0 and the contact radius. With the approach D

@@ -216,9 +216,9 @@ static const double MOST_WORK = 3e4;
 /* The part of the radius of a corner beside it at which the rate on its right is taken. */
 static const double BESIDE = 1e-12;
 
-/* Whether load and approach stay positive from here on: the profile alone, with the bounds of the
- * waves, is more than the tension, whose part grows more slowly. */
-static bool is_beyond(const search *s, const po_maugis *state) {
+/* Whether load and approach stay above `value` >= 0 from here on: the profile alone, with the
+ * bounds of the waves, is more than the tension, whose part grows more slowly. */
+static bool is_beyond(const search *s, const po_maugis *state, double value) {
   const po_scene *scene = s->scene;
   const double a = state->contact.contact_radius, end = po_profile_shape(&scene->profile).end;
   if (a < po_abel_longest_wave(scene) || a < 2.0 * po_profile_shape(&scene->profile).kink ||
@@ -226,10 +226,11 @@ static bool is_beyond(const search *s, const po_maugis *state) {
     return false;
   const po_abel all = po_abel_at(scene, a), profile = po_abel_of_profile(scene, a);
   if (s->fixed == PO_FIXED_APPROACH)
-    return state->contact.approach - all.g + profile.g + po_abel_waves_least(scene, 0.0, a).g > 0.0;
+    return state->contact.approach - all.g + profile.g + po_abel_waves_least(scene, 0.0, a).g >
+           value;
   const double waves = po_abel_waves_least(scene, 0.0, a).press + profile.press - all.press;
   return state->contact.load + 2.0 * waves / (po_scene_coupling(scene) * M_PI * scene->radius) >
-         0.0;
+         value;
 }
 
 static double next_radius(const search *s, double a) {
@@ -274,7 +275,7 @@ po_status po_maugis_pull_off(const po_scene *scene, double tension, po_fixed fix
     po_maugis here;
     double rate;
     status = rate_beyond(&s, a, &here, &rate);
-    if (status || is_beyond(&s, &here))
+    if (status || is_beyond(&s, &here, 0.0))
       return status;
     if (left_rate < 0.0 && rate >= 0.0)
       status = take(&s, po_root(rate_at, &s, left, a), state);
@@ -295,6 +296,69 @@ po_status po_maugis_pull_off(const po_scene *scene, double tension, po_fixed fix
                        "the pull-off of Maugis-Dugdale is not found up to the contact radius %g: "
                        "expected fewer waves",
                        a);
+}
+
+/* The difference of load or approach from a wanted value. */
+typedef struct {
+  search s;
+  double value;
+} passage;
+
+static double excess_at(double a, const void *data) {
+  const passage *p = data;
+  po_maugis state;
+  return solve(p->s.scene, p->s.tension, a, &NO_GUESS, &state) ? (double)NAN
+                                                               : value_of(&p->s, &state) - p->value;
+}
+
+/* Takes the passage on (left, right), if the curve rises there through the value. Given: its values
+ * less the wanted one, and its derivatives, at both ends. */
+static void take_passage(const passage *p, const double a[2], const double excess[2],
+                         const double rate[2], double *found) {
+  double low = a[0];
+  if (!(excess[1] > 0.0))
+    return;
+  if (rate[0] < 0.0 && rate[1] >= 0.0) /* a minimum between */
+    low = po_root(rate_at, &p->s, a[0], a[1]);
+  const double at_low = low == a[0] ? excess[0] : excess_at(low, p);
+  if (at_low <= 0.0)
+    *found = po_root(excess_at, p, low, a[1]);
+}
+
+po_status po_maugis_outermost(const po_scene *scene, double tension, po_fixed fixed, double value,
+                              double *contact_radius) {
+  passage p = {{scene, tension, fixed, NO_GUESS}, value};
+  po_maugis here;
+  double a[2] = {0.0, 0.0}, excess[2] = {NAN, NAN}, rate[2] = {NAN, NAN};
+  *contact_radius = NAN;
+  po_status status = check_input(scene, tension, 0.0);
+  if (!status)
+    status = solve(scene, tension, 0.0, &NO_GUESS, &here);
+  a[1] = FIRST * fmin(here.end, po_jkr_profile_first(scene));
+  const double kink = po_profile_shape(&scene->profile).kink;
+  for (int k = 0; k < MOST_RADII && !status; ++k) {
+    status = rate_beyond(&p.s, a[1], &here, &rate[1]);
+    if (status)
+      break;
+    excess[1] = value_of(&p.s, &here) - value;
+    take_passage(&p, a, excess, rate, contact_radius);
+    if (is_beyond(&p.s, &here, fmax(value, 0.0)))
+      return *contact_radius > 0.0
+                 ? PO_OK
+                 : po_fail(PO_NOT_FOUND, "Maugis-Dugdale has no stable state at %s %.9g",
+                           fixed == PO_FIXED_LOAD ? "load" : "approach", value);
+    a[0] = a[1];
+    excess[0] = excess[1];
+    rate[0] = rate[1];
+    if (a[1] == kink)
+      a[0] = kink * (1.0 + BESIDE), status = rate_beyond(&p.s, a[0], &here, &rate[0]);
+    a[1] = next_radius(&p.s, a[1]);
+  }
+  return status ? status
+                : po_fail(PO_TOO_MANY_POINTS,
+                          "the %s %.9g of Maugis-Dugdale is not found up to the contact radius %g: "
+                          "expected fewer waves",
+                          fixed == PO_FIXED_LOAD ? "load" : "approach", value, a[1]);
 }
 
 /* The part of the gap outside the contact that the tension makes at r, over 2 q k: the integral of

@@ -43,6 +43,11 @@ double po_maugis_rate(const po_scene *scene, double tension, po_fixed fixed, con
 po_status po_maugis_pull_off(const po_scene *scene, double tension, po_fixed fixed, bool predict,
                              po_maugis *state);
 
+/* The greatest contact radius at which the load, or the approach, has a value and rises, as
+ * po_jkr_profile_outermost after any preload. Status: PO_NOT_FOUND if there is none; as above. */
+po_status po_maugis_outermost(const po_scene *scene, double tension, po_fixed fixed, double value,
+                              double *contact_radius);
+
 /* Whether the state is what the theory assumes: inside the contact no tension above q, between a
  * and c a gap from 0 to 1/q, beyond c a greater gap. For a transform that rises everywhere this is
  * so. Status: PO_BAD_INPUT with the reason if it is not; PO_TOO_MANY_POINTS. */

@@ -158,7 +158,13 @@ static void compare(const po_result *result, po_theory_row *row) {
   row->deviation_error = row->force / force * error / (force - error);
 }
 
-static po_theory_row row_of(po_theory theory, evaluation *e, const po_result *result) {
+/* Whether a theory is a formula, which needs no time. */
+static bool is_formula(po_theory theory) {
+  return !THEORIES[theory].evaluate || THEORIES[theory].evaluate == rumpf;
+}
+
+/* The row of a theory. Given: `late`, whether the time is over; a search is then not begun. */
+static po_theory_row row_of(po_theory theory, evaluation *e, const po_result *result, bool late) {
   po_theory_row row = {.theory = theory,
                        .force = NAN,
                        .deviation = NAN,
@@ -168,7 +174,8 @@ static po_theory_row row_of(po_theory theory, evaluation *e, const po_result *re
   snprintf(row.source, sizeof row.source, "%s", PO_THEORIES[theory].source);
   if (is_refused(THEORIES[theory].needs, e->scene, &row))
     return row;
-  const po_status status = evaluate(theory, e, &row.force);
+  const po_status status =
+      late && !is_formula(theory) ? po_deadline_check() : evaluate(theory, e, &row.force);
   if (status || !isfinite(row.force)) {
     row.force = NAN;
     snprintf(row.reason, sizeof row.reason, "%.*s", (int)sizeof row.reason - 1,
@@ -182,7 +189,7 @@ static po_theory_row row_of(po_theory theory, evaluation *e, const po_result *re
 
 /* A row for every theory, in the order of PO_THEORY_ROWS. Each is evaluated by a closed form of
  * src/core/theory, for the scene alone; no theory reads the value of another one, nor the computed
- * force. */
+ * force. If the time ends, the formulas are evaluated still, and the others say so. */
 static po_status theories(const po_request *request, po_result *result) {
   po_theory_row *rows = po_allocate(PO_THEORY_COUNT, sizeof *rows);
   if (!rows)
@@ -192,9 +199,9 @@ static po_status theories(const po_request *request, po_result *result) {
   evaluation e = {request, &request->scene, {{NAN, NAN}, {NAN, NAN, NAN}}};
   double number[PO_ASSUMPTION_COUNT];
   po_status status = PO_OK;
-  while (result->theory_count < PO_THEORY_COUNT && !status) {
+  while (result->theory_count < PO_THEORY_COUNT && status != PO_INTERRUPTED) {
     const po_theory theory = (po_theory)result->theory_count;
-    rows[result->theory_count++] = row_of(theory, &e, result);
+    rows[result->theory_count++] = row_of(theory, &e, result, status == PO_OUT_OF_TIME);
     status = po_deadline_check();
   }
   po_assumptions_find(request, result, &e.states, number);

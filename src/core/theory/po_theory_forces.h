@@ -3,6 +3,7 @@
 #ifndef PO_THEORY_FORCES_H
 #define PO_THEORY_FORCES_H
 
+#include "po_jkr.h"
 #include "po_request.h"
 
 /* The theories. For a rigid scene its bound is NAN and it has no loops. Its theories say what each
@@ -25,5 +26,17 @@ po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_stairca
  * PO_TOO_MANY_POINTS also if the curve has more. */
 po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_control spring,
                             size_t most, po_hysteresis *hysteresis);
+
+/* The JKR curve after a preload: loading at given approach from separation, with its jumps, up to
+ * the preload, and the state with the greatest tension on the way back. */
+typedef struct {
+  po_contact reversal, pull_off;
+  size_t loading_jumps; /* the first contact included */
+} po_jkr_preloaded;
+
+/* Given: a preload with a finite approach or load. Returned: state; its pull-off has load 0 and
+ * contact radius 0 if the preload makes no contact. Status: as po_jkr_hysteresis. Accuracy: 1e-13
+ * of the largest term (tests/cli/test_theory_states.py). */
+po_status po_jkr_after_preload(const po_scene *scene, po_preload preload, po_jkr_preloaded *state);
 
 #endif

@@ -139,6 +139,9 @@ const char *po_input_load_unit(const po_request *request);
  * branch that is traced, and the time limit. */
 bool po_key_is_of_scene(po_key key);
 
+/* Appends " --wave A,L" for each wave of a text "A@L;A@L". */
+void po_input_add_waves(po_text *command, const char *waves);
+
 /* Appends a command line, e.g. "pulloff solve --tabor 1 ...", that repeats the solve and does not
  * search beyond its preload. */
 void po_input_add_command(const po_request *request, po_text *text);

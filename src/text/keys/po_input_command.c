@@ -81,8 +81,7 @@ static bool adds_preload(const po_request *request) {
          isnan(request->approach_end);
 }
 
-/* Adds an option for each wave. */
-static void add_waves(po_text *command, const char *waves) {
+void po_input_add_waves(po_text *command, const char *waves) {
   for (const char *wave = waves; *wave;) {
     const int amplitude = (int)strcspn(wave, "@");
     const int length = (int)strcspn(wave + amplitude + 1, ";");
@@ -115,7 +114,7 @@ static void add_option(po_text *command, const po_request *request, po_key key, 
   else
     po_key_print(request, key, value);
   if (key == PO_KEY_WAVES) {
-    add_waves(command, value);
+    po_input_add_waves(command, value);
     return;
   }
   po_key_flag(key, flag);

@@ -75,12 +75,15 @@
   X(APPROACH_END, "approach_end", ANY_NUMBER, LENGTH, TRACE, PLACE(approach_end), CONSTANT, SOLVE, "D", \
     HELP("approach at which the trace ends, in epsilon; also the preload if no preload is given (default: the " \
          "trace ends once the preload is reached)")) \
-  X(PRELOAD, "preload", FINITE_OR_INFINITE, LENGTH, TRACE, PLACE(preload.approach), CONSTANT, SERIES, "D", \
-    HELP("approach up to which the bodies are loaded before they are pulled off, in epsilon; inf searches all " \
-         "preloads for the greatest pull-off force")) \
-  X(PRELOAD_LOAD, "preload_load", NOT_NEGATIVE, LOAD, TRACE, PLACE(preload.load), CONSTANT, SERIES, "W", \
-    HELP("load up to which the bodies are loaded, in pi w R; with --preload, loading ends at whichever is reached " \
-         "first (default 1, unless a preload or the end of the trace is given as an approach)")) \
+  X(PRELOAD, "preload", FINITE_OR_INFINITE, LENGTH, TRACE, PLACE(preload.approach), CONSTANT, EVERY, "D", \
+    HELPS("approach up to which the bodies are loaded before they are pulled off, in epsilon; inf searches all " \
+          "preloads for the greatest pull-off force", \
+          "approach up to which the bodies are loaded, in epsilon (jkr, guduru)")) \
+  X(PRELOAD_LOAD, "preload_load", NOT_NEGATIVE, LOAD, TRACE, PLACE(preload.load), CONSTANT, EVERY, "W", \
+    HELPS("load up to which the bodies are loaded, in pi w R; with --preload, loading ends at whichever is reached " \
+          "first (default 1, unless a preload or the end of the trace is given as an approach)", \
+          "load up to which the bodies are loaded, in pi w R (jkr, guduru): the pull-off after loading to the " \
+          "preload along the curve of the theory, with its jumps, and the state at the reversal")) \
   X(STIFFNESS, "stiffness", POSITIVE, STIFFNESS, TRACE, PLACE(stiffness), CONSTANT, SPRING, "K", \
     HELP("stiffness of a spring through which the body is moved, in pi w R/epsilon: --want hysteresis and preload " \
          "then have the loop and the staircase through the spring, too (default: none)")) \
@@ -124,9 +127,9 @@
     HELP("approach at which the trace begins, in m")) \
   X(APPROACH_END_M, "approach_end_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH_END), CONSTANT, SOLVE, "D", \
     HELP("approach at which the trace ends, in m")) \
-  X(PRELOAD_M, "preload_m", FINITE_OR_INFINITE, LENGTH, SI, SETS(PRELOAD), CONSTANT, SERIES, "D", \
+  X(PRELOAD_M, "preload_m", FINITE_OR_INFINITE, LENGTH, SI, SETS(PRELOAD), CONSTANT, EVERY, "D", \
     HELP("approach up to which the bodies are loaded, in m")) \
-  X(PRELOAD_LOAD_N, "preload_load_n", NOT_NEGATIVE, LOAD, SI, SETS(PRELOAD_LOAD), CONSTANT, SERIES, "F", \
+  X(PRELOAD_LOAD_N, "preload_load_n", NOT_NEGATIVE, LOAD, SI, SETS(PRELOAD_LOAD), CONSTANT, EVERY, "F", \
     HELP("load up to which the bodies are loaded, in N")) \
   X(STIFFNESS_N_PER_M, "stiffness_n_per_m", POSITIVE, STIFFNESS, SI, SETS(STIFFNESS), CONSTANT, SPRING, "K", \
     HELP("stiffness of the spring through which the body is moved, in N/m"))
@@ -139,12 +142,18 @@
 
 /* The variables of closed forms. */
 #define PO_VARIABLE_ROWS(X) \
+  X(LOAD, "load", ANY_NUMBER, LOAD, TRACE, NO_PLACE, CONSTANT, PO_FOR_THEORY, "W", \
+    HELP("the stable state at this load, in pi w R, < 0 in tension: that of unloading after the preload, or from " \
+         "the hardest one (jkr, dmt, maugis, guduru)")) \
   X(APPROACH, "approach", ANY_NUMBER, LENGTH, TRACE, NO_PLACE, CONSTANT, PO_FOR_THEORY, "D", \
-    HELP("the load at this approach, in epsilon, < 1 (bradley, rigid)")) \
+    HELP("the same at this approach, in epsilon; the load of rigid bodies, for D < 1 (bradley, rigid)")) \
   X(CONTACT_RADIUS, "contact_radius", NOT_NEGATIVE, LENGTH, TRACE, NO_PLACE, CONSTANT, PO_FOR_THEORY, "A", \
-    HELP("load and approach at this contact radius, in epsilon (jkr, maugis, guduru, kesari-lew)")) \
+    HELP("load and approach at this contact radius, in epsilon, stable or not (jkr, dmt, maugis, guduru, " \
+         "kesari-lew)")) \
+  X(LOAD_N, "load_n", ANY_NUMBER, LOAD, SI, SETS(LOAD), CONSTANT, PO_FOR_THEORY, "F", \
+    HELP("the stable state at this load, in N")) \
   X(APPROACH_M, "approach_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH), CONSTANT, PO_FOR_THEORY, "D", \
-    HELP("the load at this approach, in m")) \
+    HELP("the state at this approach, in m")) \
   X(CONTACT_RADIUS_M, "contact_radius_m", NOT_NEGATIVE, LENGTH, SI, SETS(CONTACT_RADIUS), CONSTANT, PO_FOR_THEORY, "A", \
     HELP("load and approach at this contact radius, in m"))
 // clang-format on

@@ -410,6 +410,9 @@ static unsigned part_of(po_key key) {
     return PO_TAKES_WAVELENGTH;
   case PO_KEY_RADIUS:
     return PO_TAKES_RADIUS;
+  case PO_KEY_PRELOAD:
+  case PO_KEY_PRELOAD_LOAD:
+    return PO_TAKES_PRELOAD;
   default:
     return 0;
   }
@@ -433,6 +436,7 @@ po_status po_texts_check_form(const po_texts *given, const po_form *form, bool a
       if ((po_key_target(key) != PO_KEY_TABOR) != (other != 0))
         continue;
       const bool named = !po_key_is_number(key) || key == PO_KEY_COUPLING ||
+                         part_of(key) == PO_TAKES_PRELOAD ||
                          (po_key_is_of_scene(key) && PO_KEYS[k].owner == PO_OWNER_SCENE);
       po_use *use = &uses[used++];
       po_texts_name(given, key, use->name);
