@@ -146,6 +146,22 @@ START_TEST(an_error_above_the_tolerance_fails_with_the_error) {
 }
 END_TEST
 
+/* With the true range loading is reversed before the second crest touches; with ranges 118 to 670
+ * times as great after it, where the pull-off force is eighty times as great. The load at which the
+ * crest touches grows as the range decreases. */
+START_TEST(a_jump_that_the_true_range_may_not_make_is_not_passed) {
+  po_request request = request_of(9473.945733, 41666666.67, 26309.0, 2183333.33);
+  request.preload.load = 1.6976527;
+  request.mesh.tolerance = 1e-4;
+  request.range = PO_RANGE_REDUCED;
+  po_result o;
+  ck_assert_int_eq(po_solve(&request, &o), PO_NOT_CONVERGED);
+  ck_assert_ptr_nonnull(strstr(o.reason, "loading jumps so close to the preload"));
+  ck_assert(!o.has_pull_off);
+  po_result_clear(&o);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, agrees_with_the_true_range_within_the_stated_errors, 0,
                       sizeof BOTH / sizeof *BOTH);
@@ -153,6 +169,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_spheres_tend_to_the_jkr_theory, 0, 3);
   tcase_add_test(tests, the_range_does_not_matter_where_it_is_small);
   tcase_add_test(tests, refused_where_it_does_not_apply);
+  tcase_add_test(tests, a_jump_that_the_true_range_may_not_make_is_not_passed);
   tcase_add_test(tests, an_error_above_the_tolerance_fails_with_the_error);
 }
 

@@ -37,9 +37,14 @@ static const double ENOUGH = 0.5;
  * relative to the tolerance times the pull-off force; of the approach, to a^2/R at pull-off. */
 static const double MOST_OF_POINT = 10.0, CLOSE = 1e-3;
 
-/* Terms of F(s), found from as many solves; one solve more for the error; and how many solves in a
- * row may fail. */
-enum { TERMS = 5, SOLVES = TERMS + 1, FAILURES = 4 };
+/* The load at a jump changes with the range at least as its power 1/7, as the jump of a smooth
+ * sphere into contact does: over the ranges that are solved, of ratio 5.7, it then changes by a
+ * third of what is left. */
+static const double AGAIN = 4.0;
+
+/* Terms of F(s), found from as many solves; one solve more for the error; how many solves in a row
+ * may fail; and how many more are made if it is not known on which stretch loading is reversed. */
+enum { TERMS = 5, SOLVES = TERMS + 1, FAILURES = 4, FURTHER = 3 };
 
 double po_reduced_width(const po_scene *scene) {
   const double length = po_scene_is_wavy(scene) ? po_initial_gap_detail(scene) : INFINITY;
@@ -310,10 +315,103 @@ static void to_limit(solves *s, const po_request *request) {
                    &o->pull_off_any.pressed);
 }
 
+/* -- Where loading jumps -- */
+
+/* A smaller range lets loading jump later: the crest of a wave is attracted from less far away. The
+ * place of such a jump changes with a low power of the range, so that its limit is not known; by
+ * how much it changes is. Where loading might reach the preload before a jump at the true range,
+ * and did not at a greater one, it would be reversed on another stretch of the branch, and another
+ * pull-off would follow. */
+
+/* The jumps of loading before the preload, the last one first: the greatest load since the jump
+ * before, pi w R, and the approach, eps. */
+enum { MOST_JUMPS = 16 };
+typedef struct {
+  double load[MOST_JUMPS], approach[MOST_JUMPS];
+  int count;
+} jumps;
+
+static void add_jump(jumps *of, double load, double approach) {
+  of->count += of->count < MOST_JUMPS;
+  for (int k = of->count; --k > 0;) {
+    of->load[k] = of->load[k - 1];
+    of->approach[k] = of->approach[k - 1];
+  }
+  of->load[0] = load;
+  of->approach[0] = approach;
+}
+
+/* The special point that follows along the branch; NULL: there is none. */
+static const po_special_point *next_point(const po_result *o, size_t *fold, size_t *extremum) {
+  const bool folds = *fold < o->fold_count, extrema = *extremum < o->extremum_count;
+  if (!folds && !extrema)
+    return NULL;
+  const bool takes_fold =
+      folds && (!extrema || o->folds[*fold].position < o->extrema[*extremum].position);
+  return takes_fold ? &o->folds[(*fold)++] : &o->extrema[(*extremum)++];
+}
+
+/* Loading visits the points whose approach exceeds that of all points before. */
+static jumps jumps_of(const po_result *o, const po_preload *preload) {
+  jumps of = {.count = 0};
+  double load = -INFINITY, approach = -INFINITY;
+  size_t fold = 0, extremum = 0;
+  for (const po_special_point *p; (p = next_point(o, &fold, &extremum));) {
+    if (!(p->approach >= approach) || (p->kind != PO_JUMP_IN && p->kind != PO_MAXIMUM))
+      continue;
+    if (p->load >= preload->load || p->approach >= preload->approach)
+      break;
+    approach = p->approach;
+    load = fmax(load, p->load);
+    if (p->kind == PO_JUMP_IN) {
+      add_jump(&of, load, approach);
+      load = -INFINITY;
+    }
+  }
+  return of;
+}
+
+/* The range of numbers, of which there may be none. */
+typedef struct {
+  double least, most;
+} spread;
+
+static void widen(spread *s, double value) {
+  s->least = fmin(s->least, value);
+  s->most = fmax(s->most, value);
+}
+
+/* Whether a number that loading reaches before it jumps stays below the preload at the true range:
+ * by AGAIN times as much as it has changed over the ranges that were solved. */
+static bool stays_below(const spread *s, double preload) {
+  return isnan(preload) || s->most + AGAIN * (s->most - s->least) < preload;
+}
+
+/* Whether loading is reversed on the same stretch at the true range. */
+static bool is_same_stretch(const solves *s, const po_request *request) {
+  const po_preload preload = po_request_preload(request);
+  jumps of[SOLVES];
+  for (int k = 0; k < SOLVES; ++k)
+    of[k] = jumps_of(&s->result[k], &preload);
+  for (int j = 0; j < MOST_JUMPS; ++j) {
+    spread load = {INFINITY, -INFINITY}, approach = load;
+    for (int k = 0; k < SOLVES; ++k)
+      if (j < of[k].count) {
+        widen(&load, of[k].load[j]);
+        widen(&approach, of[k].approach[j]);
+      }
+    if (load.most > -INFINITY &&
+        !(stays_below(&load, preload.load) && stays_below(&approach, preload.approach)))
+      return false;
+  }
+  return true;
+}
+
 /* The error of the extrapolated force over the tolerance times the force; INFINITY if there are too
- * few results. */
-static double excess_of(const solves *s, double tolerance) {
-  if (s->count < SOLVES)
+ * few results, or it is not known on which stretch loading is reversed. */
+static double excess_of(const solves *s, const po_request *request) {
+  const double tolerance = request->mesh.tolerance;
+  if (s->count < SOLVES || !is_same_stretch(s, request))
     return INFINITY;
   const limit l = limit_of(s);
   const double force[] = GATHER(pull_off.force), errors[] = GATHER(pull_off.force_error);
@@ -376,8 +474,30 @@ static po_status inaccurate(const po_request *request, const po_result *o, doubl
                  o->pull_off.force_error * unit, excess);
 }
 
+static po_status undecided(po_result *o) {
+  o->has_pull_off = o->pull_off_any.is_known = false;
+  return po_fail(
+      PO_NOT_CONVERGED,
+      "with ranges of the attraction %.3g to %.3g times as great loading jumps so close "
+      "to the preload that with the true one it may be reversed before: expected another "
+      "preload, or the range exact",
+      o->range.least, o->range.greatest);
+}
+
+/* The result by all solves. Returned: its status. */
+static po_status conclude(solves *s, const po_request *request, double excess, po_result *result) {
+  po_message_clear();
+  to_limit(s, request);
+  po_result_clear(result);
+  *result = s->result[SOLVES - 1];
+  s->result[SOLVES - 1] = po_result_none();
+  if (isinf(excess))
+    return undecided(result);
+  return excess > PO_MOST_EXCESS ? inaccurate(request, result, excess) : PO_OK;
+}
+
 po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, po_result *result) {
-  const double width = po_reduced_width(&request->scene), tolerance = request->mesh.tolerance;
+  const double width = po_reduced_width(&request->scene);
   solves s = {.count = 0};
   po_work work = {0};
   po_status status = PO_OK;
@@ -387,7 +507,9 @@ po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, 
     s.result[k] = po_result_none();
   *result = po_result_none();
   for (double range = sqrt(WIDEST / width);
-       range > 1.0 && width * range * range > NARROWEST && !(excess <= ENOUGH); range /= STEP) {
+       range > 1.0 && width * range * range > NARROWEST && !(excess <= ENOUGH) &&
+       !(isinf(excess) && s.count >= SOLVES + FURTHER);
+       range /= STEP) {
     po_result one;
     status = solve_one(request, range, solve, &one);
     po_work_add(&one.work, &work);
@@ -397,21 +519,13 @@ po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, 
       *result = one;
     } else {
       add_result(&s, range, &one);
-      excess = excess_of(&s, tolerance);
+      excess = excess_of(&s, request);
     }
     if (ends(status) || failures >= FAILURES)
       break;
   }
-  if (!ends(status) && s.count >= SOLVES) {
-    status = PO_OK;
-    po_message_clear();
-    to_limit(&s, request);
-    po_result_clear(result);
-    *result = s.result[SOLVES - 1];
-    s.result[SOLVES - 1] = po_result_none();
-    if (excess > PO_MOST_EXCESS)
-      status = inaccurate(request, result, excess);
-  }
+  if (!ends(status) && s.count >= SOLVES)
+    status = conclude(&s, request, excess, result);
   result->work = work;
   for (int k = 0; k < SOLVES; ++k)
     po_result_clear(&s.result[k]);

@@ -210,28 +210,40 @@ static po_status range_check(const po_request *request) {
                  PO_REDUCED_MOST_WIDTH, po_reduced_width(&request->scene));
 }
 
-/* Traces a scene, or solves it with greater ranges of the attraction: if these are chosen, or if
- * the trace fails as it does where contact edges are very narrow; then no points are kept. */
-static po_status attempt_ranges(const po_request *request, po_kept_points *kept,
-                                po_result *result) {
-  po_status status = range_check(request);
-  if (status)
-    return status;
-  if (po_request_check(request) || !po_reduced_is_chosen(request)) {
-    status = attempt(request, kept, result);
-    if (request->range != PO_RANGE_AUTO || !po_reduced_is_resort(request, status))
-      return status;
-  }
-  char message[sizeof result->reason];
-  snprintf(message, sizeof message, "%s", po_message());
+/* Solves with greater ranges. Given: the result of a trace that failed, or an empty one, which is
+ * replaced if the solve succeeds or must end; otherwise it takes the work. Returned: whether it is
+ * replaced; *status. */
+static bool attempt_reduced(const po_request *request, po_result *result, po_status *status) {
   po_result reduced;
-  const po_status again = po_reduced_solve(request, attempt_exact, &reduced);
-  const bool taken = !status || !again || ends(again);
+  *status = po_reduced_solve(request, attempt_exact, &reduced);
+  const bool taken = !*status || ends(*status) || request->range == PO_RANGE_REDUCED;
   po_work_add(taken ? &result->work : &reduced.work, taken ? &reduced.work : &result->work);
   po_result_clear(taken ? result : &reduced);
-  if (!taken) /* the reason of the first failure is the one that helps */
+  if (taken)
+    *result = reduced;
+  return taken;
+}
+
+/* Traces a scene, or solves it with greater ranges of the attraction: first if these are chosen,
+ * otherwise if the trace fails as it does where contact edges are very narrow. Then no points are
+ * kept. */
+static po_status attempt_ranges(const po_request *request, po_kept_points *kept,
+                                po_result *result) {
+  po_status status = range_check(request), again;
+  if (status)
+    return status;
+  const bool chosen = !po_request_check(request) && po_reduced_is_chosen(request);
+  if (chosen && attempt_reduced(request, result, &status))
+    return status;
+  const po_work work = result->work;
+  status = attempt(request, kept, result);
+  po_work_add(&work, &result->work);
+  if (chosen || request->range != PO_RANGE_AUTO || !po_reduced_is_resort(request, status))
+    return status;
+  char message[sizeof result->reason];
+  snprintf(message, sizeof message, "%s", po_message());
+  if (!attempt_reduced(request, result, &again)) /* the first reason is the one that helps */
     return po_fail(status, "%s", message);
-  *result = reduced;
   if (kept)
     po_kept_points_clear(kept);
   return again;
