@@ -13,7 +13,7 @@ static po_request request_of(double tabor, double radius, double amplitude, doub
   request.scene.amplitude = amplitude;
   request.scene.wavelength = wavelength;
   request.preload.load = 2.0;
-  request.mesh.tolerance = 1e-5;
+  request.mesh.tolerance = 1e-4;
   return request;
 }
 
@@ -32,7 +32,7 @@ START_TEST(agrees_with_the_true_range_within_the_stated_errors) {
   ck_assert_int_eq(po_solve(&request, &reduced), PO_OK);
   ck_assert(!exact.range.is_reduced && reduced.range.is_reduced);
   ck_assert_double_gt(reduced.range.least, 1.0);
-  ck_assert_double_le(reduced.pull_off.force_error, 1e-5 * reduced.pull_off.force);
+  ck_assert_double_le(reduced.pull_off.force_error, 1e-4 * reduced.pull_off.force);
   ck_assert_double_eq_tol(reduced.pull_off.force, exact.pull_off.force,
                           reduced.pull_off.force_error + exact.pull_off.force_error);
   ck_assert_double_eq_tol(reduced.pull_off.approach, exact.pull_off.approach,
@@ -41,7 +41,7 @@ START_TEST(agrees_with_the_true_range_within_the_stated_errors) {
                           reduced.pull_off.contact_radius_error +
                               exact.pull_off.contact_radius_error);
   /* the range matters: without the limit the force would be off by more than the tolerance */
-  ck_assert_double_gt(fabs(reduced.range.change), 1e-5 * reduced.pull_off.force);
+  ck_assert_double_gt(fabs(reduced.range.change), 1e-4 * reduced.pull_off.force);
   po_result_clear(&exact);
   po_result_clear(&reduced);
 }
@@ -97,7 +97,7 @@ START_TEST(the_range_does_not_matter_where_it_is_small) {
     ck_assert(o.range.is_reduced);
     force[k] = o.pull_off.force;
     error[k] = o.pull_off.force_error;
-    ck_assert_double_le(error[k], 1e-5 * force[k]);
+    ck_assert_double_le(error[k], 1e-4 * force[k]);
     po_result_clear(&o);
   }
   ck_assert_double_eq_tol(force[0], force[1], error[0] + error[1]);
