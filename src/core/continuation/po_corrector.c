@@ -159,18 +159,23 @@ static bool correct_weak(po_equilibrium *e) {
   return true;
 }
 
+po_status po_corrector_factorize(po_equilibrium *e, const double *state, const double *border) {
+  po_status status = po_equilibrium_factorize(e, state, border);
+  for (int k = 0; k < MOST_FACTORS && !status; ++k) {
+    po_equilibrium_measure_noise(e, state);
+    while (correct_weak(e))
+      po_equilibrium_measure_noise(e, state);
+    if (!po_equilibrium_is_coarse(e))
+      break;
+    status = po_equilibrium_factorize(e, state, border);
+  }
+  return status;
+}
+
 static po_status factorize_at(po_corrector *c, const po_solution *from, const double *state) {
   po_equilibrium_evaluate(c->e, state);
   po_arclength_border(from->arclength, c->e, state, from->rate, c->border);
-  po_status status = po_equilibrium_factorize(c->e, state, c->border);
-  for (int k = 0; k < MOST_FACTORS && !status; ++k) {
-    po_equilibrium_measure_noise(c->e, state);
-    while (correct_weak(c->e))
-      po_equilibrium_measure_noise(c->e, state);
-    if (!po_equilibrium_is_coarse(c->e))
-      break;
-    status = po_equilibrium_factorize(c->e, state, c->border);
-  }
+  const po_status status = po_corrector_factorize(c->e, state, c->border);
   if (status && status != PO_SINGULAR)
     c->trouble = status;
   return status;

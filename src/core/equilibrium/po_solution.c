@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "po_barycentric.h"
 #include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
@@ -96,57 +97,12 @@ static void differentiate(const double *value, double *derivative) {
   }
 }
 
-/* Values that are processed together; a panel has a whole number of them. */
-enum { LANES = 4 };
-
-typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
-
-_Static_assert(PO_TABLE_ORDER % LANES == 0, "");
-
-static double sum_of(lanes v) {
-  return (v[0] + v[1]) + (v[2] + v[3]);
-}
-
-/* The terms of the second barycentric formula (J.-P. Berrut, L.N. Trefethen, SIAM Rev. 46, 501
- * (2004)) at a place on a panel: the weights of its nodes, and their sum. */
-enum { GROUPS = PO_TABLE_ORDER / LANES };
-
-typedef struct {
-  lanes weight[GROUPS];
-  double sum;
-} barycentric;
-
-static inline barycentric barycentric_at(double x) {
-  const po_panel_rule *rule = &po_panel_table_get()->rule;
-  barycentric at;
-  lanes all = {0.0};
-  for (size_t j = 0; j < GROUPS; ++j) {
-    at.weight[j] = ((const lanes *)rule->barycentric)[j] / (x - ((const lanes *)rule->node)[j]);
-    all += at.weight[j];
-  }
-  at.sum = sum_of(all);
-  if (isfinite(at.sum))
-    return at;
-  at.sum = 1.0; /* at a node */
-  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    at.weight[j / LANES][j % LANES] = x == rule->node[j] ? 1.0 : 0.0;
-  return at;
-}
-
-/* Interpolates from the values at the nodes of a panel. */
-static double interpolate(const barycentric *at, const double *value) {
-  lanes sum = {0.0};
-  for (size_t j = 0; j < GROUPS; ++j)
-    sum += at->weight[j] * ((const lanes *)value)[j];
-  return sum_of(sum) / at->sum;
-}
-
 /* Finds the panel of a radius. Returned: *first, the first node of the panel. */
-static barycentric find_place(po_solution_field *f, double r, size_t *first) {
+static po_barycentric find_place(po_solution_field *f, double r, size_t *first) {
   const double x = r / f->p->domain;
   f->panel = po_panels_find(f->p->panels, x, f->panel);
   *first = f->panel * PO_TABLE_ORDER;
-  return barycentric_at(po_panel_place(f->p->panels->panel[f->panel], x));
+  return po_barycentric_at(po_panel_place(f->p->panels->panel[f->panel], x));
 }
 
 static void initial_gap_and_slope(const po_scene *scene, double r, double *gap, double *slope) {
@@ -162,19 +118,19 @@ static void initial_gap_and_slope(const po_scene *scene, double r, double *gap, 
 
 po_solution_value po_solution_value_at(po_solution_field *f, double r) {
   size_t first;
-  const barycentric at = find_place(f, r, &first);
-  po_solution_value v = {0.0, 0.0, interpolate(&at, f->p->tangent + first)};
+  const po_barycentric at = find_place(f, r, &first);
+  po_solution_value v = {0.0, 0.0, po_barycentric_value(&at, f->p->tangent + first)};
   initial_gap_and_slope(f->scene, r, &v.gap, &v.slope);
-  v.gap += interpolate(&at, f->p->deflection + first);
-  v.slope += interpolate(&at, f->p->slope + first);
+  v.gap += po_barycentric_value(&at, f->p->deflection + first);
+  v.slope += po_barycentric_value(&at, f->p->slope + first);
   return v;
 }
 
 double po_solution_gap(void *data, double r) {
   po_solution_field *f = data;
   size_t first;
-  const barycentric at = find_place(f, r, &first);
-  return po_initial_gap(f->scene, r) + interpolate(&at, f->p->deflection + first);
+  const po_barycentric at = find_place(f, r, &first);
+  return po_initial_gap(f->scene, r) + po_barycentric_value(&at, f->p->deflection + first);
 }
 
 /* The gap less that of the greatest tension, at a radius on the panel. */
