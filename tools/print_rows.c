@@ -1,7 +1,7 @@
 /* Prints the keys of a scene and the rows of a result, one a line, cells between tabs: definition,
  * key, type, unit, name of the SI unit, error, null, omitted, definition of the part or words,
- * says; of a key says is its owner. tools/rows.py makes tables of doc/json.md and definitions of the
- * JSON Schema of them. */
+ * says; of a key says is its owner. tools/rows.py makes tables of doc/json.md and definitions of
+ * the JSON Schema of them. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -82,13 +82,15 @@ static void print_keys(void) {
   const po_request usual = po_input_default();
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     const bool number = po_key_is_number((po_key)key);
-    const bool text = key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
-    const bool null = text || (number && isnan(po_key_number(&usual, (po_key)key)));
-    printf("input\t%s\t%s\t\t\t\t%s\t0\t", PO_KEYS[key].name,
+    const bool creeps = key == PO_KEY_VISCOELASTIC || key == PO_KEY_UNLOAD_SPEED;
+    const bool text =
+        key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES || key == PO_KEY_VISCOELASTIC;
+    const bool null = text || creeps || (number && isnan(po_key_number(&usual, (po_key)key)));
+    printf("input\t%s\t%s\t\t\t\t%s\t%d\t", PO_KEYS[key].name,
            number ? type_of_number(key)
            : text ? "text"
                   : "word",
-           null ? "if not given" : "");
+           null ? "if not given" : "", creeps);
     print_words(key);
     printf("\t%s\n", OWNERS[PO_KEYS[key].owner]);
   }

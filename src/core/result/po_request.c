@@ -11,6 +11,7 @@ po_request po_request_default(void) {
                       .profile_approach = NAN,
                       .preload = {NAN, NAN},
                       .stiffness = NAN,
+                      .unload_speed = NAN,
                       .time_limit = NAN};
 }
 
@@ -18,7 +19,7 @@ const char *const PO_RANGES[] = {
     [PO_RANGE_AUTO] = "auto", [PO_RANGE_EXACT] = "exact", [PO_RANGE_REDUCED] = "reduced", NULL};
 
 const char *const PO_WANTS[] = {"curve",   "profile",  "hysteresis", "diagnostics",
-                                "preload", "theories", "loop"};
+                                "preload", "theories", "loop",       "history"};
 
 bool po_want_read(const char *list, unsigned *want) {
   unsigned found = 0;
@@ -41,10 +42,19 @@ bool po_want_read(const char *list, unsigned *want) {
 
 const double PO_USUAL_PRELOAD = 1.0;
 
+/* The error by steps in time goes as their misfit, which is the root of the tolerance (po_march.h):
+ * at a tolerance of 1e-6 it is some 1e-5 of the force, and a tenth of this tolerance. */
+static const double OF_STEPS = 0.1;
+
+double po_request_tolerance(const po_request *request) {
+  const double tolerance = request->mesh.tolerance;
+  return request->creep.kind == PO_CREEP_NONE ? tolerance : OF_STEPS * sqrt(tolerance);
+}
+
 double po_request_excess(const po_request *request, const po_result *result) {
-  return result->has_pull_off
-             ? result->pull_off.force_error / (request->mesh.tolerance * result->pull_off.force)
-             : (double)NAN;
+  return result->has_pull_off ? result->pull_off.force_error /
+                                    (po_request_tolerance(request) * result->pull_off.force)
+                              : (double)NAN;
 }
 
 po_preload po_request_preload(const po_request *request) {
@@ -66,6 +76,37 @@ po_search po_request_search(const po_request *request) {
                                                                              : request->search;
 }
 
+/* Checks what belongs to a viscoelastic body. */
+static po_status check_viscoelastic(const po_request *request) {
+  if (request->creep.kind == PO_CREEP_NONE) {
+    if (!isnan(request->unload_speed))
+      return po_fail(PO_BAD_INPUT, "unload_speed is %g: expected it beside viscoelastic",
+                     request->unload_speed);
+    return request->want & PO_WANT_HISTORY
+               ? po_fail(PO_BAD_INPUT, "history is wanted: expected it beside viscoelastic")
+               : PO_OK;
+  }
+  if (isnan(request->unload_speed))
+    return po_fail(PO_BAD_INPUT, "unload_speed is missing: expected a number >= 0, or inf, beside "
+                                 "viscoelastic");
+  if (!(request->unload_speed >= 0.0))
+    return po_fail(PO_BAD_INPUT, "unload_speed is %g: expected a number >= 0, or inf",
+                   request->unload_speed);
+  if (request->scene.tabor == 0.0)
+    return po_fail(PO_BAD_INPUT, "viscoelastic is given for a rigid scene: expected tabor > 0");
+  if (request->mesh.scheme != PO_PANEL)
+    return po_fail(PO_BAD_INPUT, "viscoelastic is given with the scheme %s: expected panel",
+                   PO_SCHEMES[request->mesh.scheme]);
+  if (isinf(request->preload.approach))
+    return po_fail(PO_BAD_INPUT, "preload is inf beside viscoelastic: expected a finite number");
+  if (request->variations > 0)
+    return po_fail(PO_BAD_INPUT, "an uncertain input is given beside viscoelastic: expected none");
+  const unsigned others = request->want & ~(unsigned)(PO_WANT_HISTORY | PO_WANT_THEORIES);
+  return others ? po_fail(PO_BAD_INPUT, "a result other than history and theories is wanted beside "
+                                        "viscoelastic: expected only these")
+                : PO_OK;
+}
+
 po_status po_request_check(const po_request *request) {
   po_status status = po_scene_check(&request->scene);
   if (!status)
@@ -78,6 +119,9 @@ po_status po_request_check(const po_request *request) {
   if (isinf(request->approach_end))
     return po_fail(PO_BAD_INPUT, "approach_end is %g: expected a finite number",
                    request->approach_end);
+  status = check_viscoelastic(request);
+  if (status)
+    return status;
   if (request->approach_start >= request->approach_end)
     return po_fail(PO_BAD_INPUT, "approach_end is %g: expected more than approach_start, %g",
                    request->approach_end, request->approach_start);
@@ -108,11 +152,13 @@ po_status po_request_check(const po_request *request) {
 }
 
 po_status po_request_complete(po_request *request) {
-  if (!isnan(request->stiffness) || request->want & PO_WANT_LOOP)
+  const bool elastic = request->creep.kind == PO_CREEP_NONE;
+  if ((!isnan(request->stiffness) && elastic) || request->want & PO_WANT_LOOP)
     request->want |= PO_WANT_HYSTERESIS;
   if (!isnan(request->profile_approach))
     request->want |= PO_WANT_PROFILE;
-  choose_search(request);
+  if (elastic)
+    choose_search(request);
   return po_request_check(request);
 }
 

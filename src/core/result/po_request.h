@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <stdbool.h>
 
+#include "po_creep.h"
 #include "po_loops.h"
 #include "po_mesh.h"
 #include "po_physical.h"
@@ -21,6 +22,7 @@ enum {
   PO_WANT_PRELOAD = 16,    /* the pull-off after every preload: the staircases */
   PO_WANT_THEORIES = 32,   /* the theories of the theories; changes nothing else */
   PO_WANT_LOOP = 64,       /* the rows of the loops, which PO_WANT_HYSTERESIS belongs to */
+  PO_WANT_HISTORY = 128,   /* the states of unloading of a viscoelastic body */
 };
 
 /* Whether the trace continues beyond its preload, to find the pull-off after harder preloads. */
@@ -88,6 +90,8 @@ typedef struct po_request {
   po_preload preload;      /* see po_request_preload. With the approach INFINITY the pull-off is the
                               greatest of all preloads */
   double stiffness;        /* of a spring through which the body is moved, pi w R/eps; NAN: none */
+  po_creep creep;          /* of the half-space; PO_CREEP_NONE: elastic */
+  double unload_speed;     /* of the base of a viscoelastic body, eps/tau_0; NAN: not given */
   po_search search;        /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
   const po_theories *theories;   /* NULL: none; a search is then never known to be complete */
   const po_variation *variation; /* of uncertain inputs; NULL: none */
@@ -105,7 +109,7 @@ typedef struct po_request {
   void *watcher;
 } po_request;
 
-enum { PO_WANT_COUNT = 7 };
+enum { PO_WANT_COUNT = 8 };
 
 extern const char *const PO_WANTS[PO_WANT_COUNT]; /* the name of want 1 << k */
 
@@ -113,7 +117,8 @@ extern const char *const PO_WANTS[PO_WANT_COUNT]; /* the name of want 1 << k */
  * unknown; then *want is unchanged. */
 bool po_want_read(const char *list, unsigned *want);
 #define PO_WANT_EXPECTED                                                                           \
-  "any of curve, profile, hysteresis, diagnostics, preload, theories, loop, with commas between"
+  "any of curve, profile, hysteresis, diagnostics, preload, theories, loop, history, with "        \
+  "commas between"
 
 /* A request with every field at its default (po_scene_default, po_mesh_default, the rest NAN or 0).
  */
@@ -143,6 +148,10 @@ po_search po_request_search(const po_request *request);
 /* Checks a request. Status: PO_BAD_INPUT, with a message that names the wrong key, its value and
  * the expected one. */
 po_status po_request_check(const po_request *request);
+
+/* The relative tolerance of the pull-off force: that of the mesh; of a viscoelastic body that of
+ * its steps in time. */
+double po_request_tolerance(const po_request *request);
 
 /* The bound of the theories for a load, pi w R; NAN: unknown. */
 double po_request_bound(const po_request *request, double load);

@@ -33,6 +33,7 @@ void po_result_clear(po_result *result) {
   po_staircases_clear(&result->staircase);
   po_hysteresis_clear(&result->theory.hysteresis);
   po_staircases_clear(&result->theory.staircase);
+  free(result->rate.history);
   free(result->noise.change);
   free(result->interpolation.weights);
   free(result->uncertain);

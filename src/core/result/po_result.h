@@ -8,6 +8,7 @@
 
 #include "po_diagnostics.h"
 #include "po_loops.h"
+#include "po_rate.h"
 #include "po_status.h"
 #include "po_theories.h"
 
@@ -166,6 +167,7 @@ typedef struct {
   po_contact_annuli annuli; /* at the same approach; none unless the profile is wanted */
   bool has_hysteresis;      /* whether `hysteresis` is set */
   po_hysteresis hysteresis;
+  po_rate rate;        /* unloading of a viscoelastic body */
   bool has_staircases; /* whether `staircase` is set */
   po_staircases staircase;
   struct { /* of the theories of the request, if it gives them */

@@ -256,9 +256,60 @@ static const po_row RANGE[] = {
 };
 static const po_block RANGE_ROWS = BLOCK("range", RANGE, NULL);
 
+#undef S
+#define S po_rate_energy
+static const po_row ENERGIES[] = {
+  NUMBER("stored", stored, ENERGY, "", "", "elastic energy of the half-space"),
+  NUMBER("adhesive", adhesive, ENERGY, "", "", "energy of the interaction, 0 infinitely apart"),
+  NUMBER("spring", spring, ENERGY, "", "", "energy of the spring; 0 without a stiffness"),
+  NUMBER("work", work, ENERGY, "", "", "work of the base since unloading began"),
+  NUMBER("dissipated", dissipated, ENERGY, "", "", "energy dissipated in the half-space since then"),
+  NUMBER("jumps", jumps, ENERGY, "", "", "energy lost in jumps of the contact since then"),
+};
+static const po_block ENERGIES_ROWS = BLOCK("unloading_energies", ENERGIES, NULL);
+#undef S
+
+#define S po_rate_point
+static const po_row RATE_POINT[] = {
+  NUMBER("moved", moved, LENGTH, "", "", "by how much the base was moved back"),
+  NUMBER("time", time, NONE, "", "at the speeds 0 and inf", "time since unloading began, τ₀"),
+  NUMBER("base", base, LENGTH, "", "", "position of the base; the approach without a stiffness"),
+  NUMBER("approach", approach, LENGTH, "", "", "approach"),
+  NUMBER("load", load, LOAD, "", "", "load"),
+  NUMBER("contact_radius", contact_radius, LENGTH, "", "", "contact radius"),
+  PART("energies", energy, ENERGIES_ROWS, "energies, and work and losses since unloading began"),
+};
+static const po_block RATE_POINT_ROWS = BLOCK("unloading_point", RATE_POINT, NULL);
+#undef S
+
+#define S po_rate
+static const po_row RATE[] = {
+  NUMBER("instant_compliance", instant, NONE, "", "", "ratio of the relaxed to the glassy modulus"),
+  NUMBER("time", time, NONE, "time_error_estimate", "at the speeds 0 and inf", "time from the preload to the pull-off, τ₀"),
+  NUMBER("time_error_estimate", time_error, NONE, "", "as `time`", "bound of the error of `time`"),
+  NUMBER("step_error_estimate", time_part, LOAD, "", "", "the part of the error of the force by the steps in time"),
+  NUMBER("panel_error_estimate", mesh_part, LOAD, "", "", "the part of it by the panels"),
+  NUMBER("imbalance", imbalance, ENERGY, "", "",
+         "greatest miss of the balance of energy along the finest march, whose values are not extrapolated"),
+  COUNT("jumps", jumps, "number of jumps of the contact while unloading"),
+  COUNT("terms", terms, "number of retardation times"),
+  COUNT("steps", steps, "number of steps of the finest march"),
+  PART("begin", begin, RATE_POINT_ROWS, "the relaxed contact at the preload"),
+  PART("end", end, RATE_POINT_ROWS,
+       "where unloading ends: nowhere in contact, with a tension below 1 % of the pull-off force"),
+  PART("error_estimate", end_error, ENERGIES_ROWS, "bounds of the errors of the energies of `end` and `begin`"),
+  LIST("history", history, history_count, RATE_POINT_ROWS, NULL, "", "states of unloading, if the history is wanted; otherwise empty"),
+};
+static const po_block RATE_ROWS = BLOCK("unloading", RATE, NULL);
+#undef S
+#define S po_result
+
 static const po_row WANTED[] = {
   {.key = "range", .type = PO_ROW_PART, .block = &RANGE_ROWS, .omitted = true, .present = AT(bool, range.is_reduced),
    TEXTS("", "absent unless the pull-off was found with greater ranges of the attraction", "the ranges with which the scene was solved ([guide](guide.md#a-greater-range)); `folds` and `extrema` are then those of which the limit is known")},
+  {.key = "unloading", .type = PO_ROW_PART, .block = &RATE_ROWS, .omitted = true, .offset = offsetof(S, rate),
+   .present = AT(bool, rate.is_known),
+   TEXTS("", "absent but for a viscoelastic body", "unloading of a viscoelastic body ([guide](guide.md#viscoelastic-bodies))")},
   {.key = "interpolation", .type = PO_ROW_PART, .block = &INTERPOLATION_ROWS, .omitted = true,
    .present = AT(bool, interpolation.is_known),
    TEXTS("", "absent but for a table without noise", "uncertainty of the pull-off force by the interpolation between the rows of a table; it has no part in `error_estimate`, nor in the digest")},

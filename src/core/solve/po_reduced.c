@@ -53,8 +53,9 @@ double po_reduced_width(const po_scene *scene) {
 
 bool po_reduced_applies(const po_request *request) {
   const po_scene *scene = &request->scene;
-  return request->mesh.scheme == PO_PANEL && !po_rigid_suffices(scene) &&
-         po_profile_is_sphere(&scene->profile) && po_law_numbers_of(&scene->law)->exponent == 3.0 &&
+  return request->creep.kind == PO_CREEP_NONE && request->mesh.scheme == PO_PANEL &&
+         !po_rigid_suffices(scene) && po_profile_is_sphere(&scene->profile) &&
+         po_law_numbers_of(&scene->law)->exponent == 3.0 &&
          !(request->want & ~(unsigned)PO_WANT_THEORIES) && isnan(request->stiffness) &&
          isnan(request->approach_start) && isnan(request->profile_approach) && !request->show &&
          po_reduced_width(scene) < PO_REDUCED_MOST_WIDTH;

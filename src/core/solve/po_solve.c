@@ -104,7 +104,7 @@ static double excess_of_panels(const po_request *request, const po_result *resul
     return 0.0;
   const double force = result->pull_off.force;
   const double seen = result->pull_off.force_error - result->pull_off.far_force_error;
-  const double excess = seen / (request->mesh.tolerance * force);
+  const double excess = seen / (po_request_tolerance(request) * force);
   return excess > 1.0 ? excess : 0.0;
 }
 
@@ -112,7 +112,7 @@ static double excess_of_panels(const po_request *request, const po_result *resul
 static bool needs_larger_domain(const po_request *request, const po_result *result) {
   return result->has_pull_off && !result->rigid &&
          result->pull_off.far_force_error >
-             PO_MOST_EXCESS * request->mesh.tolerance * result->pull_off.force;
+             PO_MOST_EXCESS * po_request_tolerance(request) * result->pull_off.force;
 }
 
 /* The greatest approach at which the trace may begin; NAN: any. */

@@ -8,6 +8,7 @@
 #include "po_diagnose.h"
 #include "po_far_field.h"
 #include "po_initial_gap.h"
+#include "po_rate_solve.h"
 #include "po_rigid.h"
 #include "po_rigid_trace.h"
 #include "po_solve_parts.h"
@@ -258,6 +259,11 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
     status = make_surface(request, rigid, a->core, &surface);
   if (status)
     goto done;
+  if (request->creep.kind != PO_CREEP_NONE) {
+    status = po_rate_solve(request, a, surface, result);
+    po_surface_destroy(surface);
+    return status;
+  }
   reader.surface = surface;
   status =
       rigid ? trace_rigid(request, a->begin, &reader) : trace_elastic(request, a, &reader, surface);

@@ -37,6 +37,19 @@ static const column CURVE[] = {
 
 static const column PROFILE[] = {{"radius", "radius"}, {"gap", "gap"}, {"traction", "traction"}};
 
+static const column HISTORY[] = {{"time", "time"},
+                                 {"moved", "moved"},
+                                 {"base", "base"},
+                                 {"approach", "approach"},
+                                 {"load", "load"},
+                                 {"contact_radius", "contact_radius"},
+                                 {"stored", "energies.stored"},
+                                 {"adhesive", "energies.adhesive"},
+                                 {"spring", "energies.spring"},
+                                 {"work", "energies.work"},
+                                 {"dissipated", "energies.dissipated"},
+                                 {"jumps", "energies.jumps"}};
+
 /* If the step is open, `until` is the last state of loading on the curve; separated bodies have the
  * approach -inf. */
 static const column STEP[] = {{"from_approach", "preload.approach"},
@@ -69,7 +82,8 @@ static const column SERIES[] = {{"force", "pull_off.force"},
                                 {"contact_radius_error", "pull_off.contact_radius_error_estimate"},
                                 {"followed", "followed"}};
 
-enum { MOST_COLUMNS = LENGTH(STEP) };
+enum { MOST_COLUMNS = LENGTH(HISTORY) };
+_Static_assert(LENGTH(HISTORY) >= LENGTH(STEP), "");
 
 /* A table of lists of a result: its columns, the lists with the text before each row, and what its
  * headers say. */
@@ -103,6 +117,18 @@ static const struct {
          .units_in_si = "SI, at the end of the name of each column; load compressive > 0; the "
                         "derivative of the energy by the approach is the load; energy_error: "
                         "bound of its error at this approach, nan: not estimated"},
+    [PO_HISTORY_TABLE] =
+        {.column = HISTORY,
+         .count = LENGTH(HISTORY),
+         .list = {{"unloading.history", ""}},
+         .what = "unloading of a viscoelastic body: the steps of the finest march",
+         .units = "time in tau_0, nan at the speeds 0 and inf; lengths in epsilon; load in pi w R, "
+                  "compressive > 0; energies, and work and losses since unloading began, in pi w R "
+                  "epsilon: work = change of (stored + adhesive + spring) + dissipated + jumps",
+         .units_in_si =
+             "SI, at the end of the name of each column, but for the time in tau_0; load "
+             "compressive > 0; work = change of (stored + adhesive + spring) + "
+             "dissipated + jumps"},
     [PO_STAIRCASE_TABLE] =
         {.column = STEP,
          .count = LENGTH(STEP),

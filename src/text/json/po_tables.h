@@ -10,14 +10,17 @@
 
 /* Tables of lists of a result: the branch, the profile, the steps of all staircases, and the states
  * of the loop that a test records: that through the spring, without one that at given approach. */
-typedef enum { PO_PROFILE_TABLE, PO_CURVE_TABLE, PO_STAIRCASE_TABLE, PO_LOOP_TABLE } po_table;
+typedef enum { PO_PROFILE_TABLE, PO_CURVE_TABLE, PO_STAIRCASE_TABLE, PO_LOOP_TABLE,
+               PO_HISTORY_TABLE } po_table;
 
 /* Writes a table. The branch has the columns position, approach, load, energy, contact_radius,
  * approach_rate, load_rate, unstable_modes and energy_error, with a spring unstable_modes_at_base;
  * the profile at result->profile_approach radius, gap and traction; a step of a
  * staircase control, from_approach, from_load, until_approach, until_load, open, force,
  * force_error, approach, approach_error, energy_lost and energy_lost_error; a state of a loop
- * phase, jump, base, approach, indentation, load, contact_radius, stiffness and energy_lost. Tables
+ * phase, jump, base, approach, indentation, load, contact_radius, stiffness and energy_lost; a state of
+ * the history of a viscoelastic body time, moved, base, approach, load, contact_radius, stored,
+ * adhesive, spring, work, dissipated and jumps. Tables
  * of a request in SI units have no columns in the metric of the solver, and the unit at the end of
  * each name: approach_nm. The headers state the scene, the units and the checksum of all other
  * lines. The path

@@ -17,6 +17,7 @@ typedef enum {
   RADII_DOMAIN, /* this and the next two: one number, or two with a comma between */
   MODULI_DOMAIN,
   RATIOS_DOMAIN,
+  NOT_NEGATIVE_OR_INFINITE_DOMAIN,
   COUNT_DOMAIN,
   NAME_DOMAIN
 } value_type;
@@ -32,6 +33,7 @@ typedef enum {
 #define RADII OTHER(RADII, "a finite number > 0, or two with a comma between")
 #define MODULI OTHER(MODULI, "a number > 0 or inf, or two with a comma between")
 #define RATIOS OTHER(RATIOS, "a number from -1 to 0.5, or two with a comma between")
+#define NOT_NEGATIVE_OR_INFINITE OTHER(NOT_NEGATIVE_OR_INFINITE, "a finite number >= 0, or inf")
 #define COUNT OTHER(COUNT, "a whole number > 0")
 #define NUMBER PO_DIMENSION_NONE
 #define LENGTH PO_DIMENSION_LENGTH
@@ -141,6 +143,8 @@ static bool set_name(po_request *request, po_key key, const char *text) {
     return with_radius(request, po_profile_use_file(&request->scene.profile, text) == PO_OK);
   if (key == PO_KEY_WAVES)
     return po_scene_set_waves(&request->scene, text);
+  if (key == PO_KEY_VISCOELASTIC)
+    return po_creep_read(text, &request->creep);
   const char *const *names = key == PO_KEY_SCHEME    ? PO_SCHEMES
                              : key == PO_KEY_GRADING ? PO_GRADINGS
                                                      : PO_RANGES;
@@ -233,6 +237,8 @@ bool po_key_parse(po_key key, const char *text, double *value) {
     }
   case FINITE_OR_INFINITE_DOMAIN:
     return parse_or_infinity(text, value) && *value > -INFINITY;
+  case NOT_NEGATIVE_OR_INFINITE_DOMAIN:
+    return parse_or_infinity(text, value) && *value >= 0;
   default:
     return false;
   }
@@ -307,6 +313,8 @@ double po_key_number(const po_request *request, po_key key) {
     return (double)po_scene_waves(&request->scene);
   if (key == PO_KEY_RANGE)
     return (double)request->range;
+  if (key == PO_KEY_VISCOELASTIC)
+    return request->creep.kind == PO_CREEP_NONE ? (double)NAN : (double)request->creep.kind;
   return key == PO_KEY_SCHEME ? (double)request->mesh.scheme : (double)request->mesh.grading;
 }
 
@@ -392,6 +400,10 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
            0;
   case PO_KEY_WAVES:
     return waves_match(scene, &wanted.scene);
+  case PO_KEY_VISCOELASTIC:
+    return wanted.creep.kind == request->creep.kind &&
+           is_close(wanted.creep.ratio, request->creep.ratio) &&
+           is_close(wanted.creep.exponent, request->creep.exponent);
   case PO_KEY_COUPLING:
     return is_near(po_key_number(request, key), po_key_number(&wanted, key), ULPS_OF_COUPLING);
   default:

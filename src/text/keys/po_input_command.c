@@ -40,10 +40,15 @@ void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_L
     snprintf(text, PO_KEY_TEXT_LENGTH, "%s", name);
   else if (key == PO_KEY_WAVES)
     print_waves(scene, text);
+  else if (key == PO_KEY_VISCOELASTIC && request->creep.kind != PO_CREEP_NONE)
+    po_creep_write(&request->creep, text);
   else if (key == PO_KEY_NODES)
     snprintf(text, PO_KEY_TEXT_LENGTH, "%zu", request->mesh.nodes);
   else if (isnan(po_key_number(request, key)))
-    snprintf(text, PO_KEY_TEXT_LENGTH, key == PO_KEY_TIME_LIMIT ? "none" : "auto");
+    snprintf(text, PO_KEY_TEXT_LENGTH,
+             key == PO_KEY_TIME_LIMIT || key == PO_KEY_VISCOELASTIC || key == PO_KEY_UNLOAD_SPEED
+                 ? "none"
+                 : "auto");
   else if (key == PO_KEY_SMOOTH && isinf(po_key_number(request, key)))
     snprintf(text, PO_KEY_TEXT_LENGTH, "auto");
   else

@@ -275,6 +275,25 @@ static po_status set_physical(po_texts *given, po_request *request) {
   return add_waves(given, physical.distance, &request->scene);
 }
 
+/* Converts a speed in m/s to one in epsilon/tau_0. */
+static po_status set_speed(po_texts *given, po_request *request) {
+  const char *const speed = given->text[PO_KEY_UNLOAD_SPEED_M_PER_S];
+  const char *const text = given->text[PO_KEY_RELAXATION_TIME_S];
+  double time = 0;
+  if (text && !po_key_parse(PO_KEY_RELAXATION_TIME_S, text, &time))
+    return refuse(given, PO_KEY_RELAXATION_TIME_S, "%s",
+                  PO_KEYS[PO_KEY_RELAXATION_TIME_S].expected);
+  if (text && !speed)
+    return refuse(given, PO_KEY_RELAXATION_TIME_S, "it beside a speed in m/s");
+  if (!speed)
+    return PO_OK;
+  if (!text)
+    return refuse(given, PO_KEY_RELAXATION_TIME_S, "%s, as the speed is in m/s",
+                  PO_KEYS[PO_KEY_RELAXATION_TIME_S].expected);
+  request->unload_speed *= time / request->units.length;
+  return PO_OK;
+}
+
 /* Sets the keys in SI units that do not belong to the scene. */
 static po_status set_in_si(po_texts *given, po_request *request) {
   for (int key = PO_KEY_END; key < PO_KEY_ALL; ++key) {
@@ -289,7 +308,7 @@ static po_status set_in_si(po_texts *given, po_request *request) {
     if (target->place != PO_NO_PLACE)
       *(double *)(void *)((char *)request + target->place) = value;
   }
-  return PO_OK;
+  return set_speed(given, request);
 }
 
 /* Refuses keys that the mesh, the law or the profile of a request does not have. */
@@ -302,6 +321,8 @@ static po_status check_idle(po_texts *given, const po_request *request) {
                     key == PO_KEY_TOLERANCE ? "panel" : "ring or triangle",
                     PO_SCHEMES[request->mesh.scheme]);
     if (!isnan(po_key_number(request, key)))
+      continue;
+    if (PO_KEYS[key].owner == PO_OWNER_TRACE) /* a value that is no number is the default */
       continue;
     if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)
       return refuse(given, key, "it beside the file of a profile");

@@ -1,0 +1,387 @@
+#include "po_march.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_law.h"
+#include "po_march_parts.h"
+
+/* The length of the first step, and of the first after a jump, eps; the greatest growth of a step;
+ * and the shortest step of the glassy body, below which the contact jumps. */
+static const double FIRST_LENGTH = 1e-3, GROWTH = 1.6, CUT = 0.3, SHORTEST = 1e-6;
+
+/* Steps that follow those of another march may grow by so much more than their misfit says. */
+static const double FREER = 1.5;
+
+/* A step is repeated if its misfit exceeds the aim by this factor; the next one aims at this part.
+ */
+static const double REFUSED = 2.5, AIM = 0.8;
+
+/* Where the effective coupling exceeds that of the glassy body by less than this part, a step is
+ * one of the glassy body. */
+static const double GLASSY = 1e-3;
+
+/* Distance from the end, relative to it, that is rounding. */
+static const double AT_END = 1e-13;
+
+enum { MOST_RECORDS = 200000 };
+
+static po_status allocate(po_march *m) {
+  const size_t capacity = m->e->surface->capacity, size = capacity + 1;
+  po_march_state *const states[] = {&m->before, &m->held, &m->here, &m->next, &m->after};
+  for (size_t k = 0; k < sizeof states / sizeof *states; ++k) {
+    states[k]->panels = po_arena_reserve(&m->arrays, 1, sizeof *states[k]->panels);
+    states[k]->field = po_arena_reserve(&m->arrays, m->fields * capacity, sizeof(double));
+  }
+  double **const vectors[] = {&m->bare,   &m->creep,    &m->guess, &m->solved,
+                              &m->border, &m->traction, &m->other, &m->shape};
+  for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
+    *vectors[k] = po_arena_reserve(&m->arrays, size, sizeof(double));
+  m->shape_panels = po_arena_reserve(&m->arrays, 1, sizeof *m->shape_panels);
+  return m->arrays.ran_out ? PO_NO_MEMORY : PO_OK;
+}
+
+static po_status record(po_march *m, const po_rate_point *point, bool jumped) {
+  po_march_record *grown = po_grow(m->records, m->count, &m->room, sizeof *grown);
+  if (!grown)
+    return PO_NO_MEMORY;
+  m->records = grown;
+  grown[m->count++] = (po_march_record){*point, jumped, m->held.length};
+  return PO_OK;
+}
+
+static void exchange(po_march_state *a, po_march_state *b) {
+  const po_march_state first = *a;
+  *a = *b;
+  *b = first;
+}
+
+/* Makes the step `next` the last state. */
+static void accept(po_march *m) {
+  exchange(&m->before, &m->held);
+  exchange(&m->held, &m->next);
+  m->is_here = false;
+}
+
+/* The relaxed equilibrium at the base of `start`, on a mesh for the errors of this march, and its
+ * fields: U_m = (1 - k) w_m Q. */
+static po_status begin(po_march *m, const po_solution *start) {
+  po_equilibrium *e = m->e;
+  po_status status = po_surface_mesh(e->surface, start->panels);
+  if (status)
+    return status;
+  po_equilibrium_remesh(e);
+  memcpy(m->bare, e->initial_gap, e->n * sizeof *m->bare);
+  m->held.n = e->n;
+  po_panels_copy(start->panels, m->held.panels);
+  memset(m->held.field, 0, m->fields * e->n * sizeof *m->held.field);
+  memcpy(po_march_field(&m->held, PO_OF_DEFLECTION), start->deflection, e->n * sizeof(double));
+  m->held.point = (po_rate_point){.time = 0.0,
+                                  .base = m->options.base,
+                                  .approach = po_solution_approach(start),
+                                  .load = start->load};
+  po_march_bring(m);
+  memcpy(m->shape, start->deflection, e->n * sizeof(double));
+  po_panels_copy(start->panels, m->shape_panels);
+  status = po_march_remesh(m);
+  if (status)
+    return status;
+  po_march_bring(m);
+  /* the motion of a jump with part 1 at speed 0 is the relaxed equilibrium */
+  const double speed = m->options.speed;
+  m->options.speed = 0.0;
+  const po_march_scene relaxed = {.factor = 1.0, .relaxing = true, .part = 1.0};
+  status = po_march_solve(m, &relaxed);
+  m->options.speed = speed;
+  if (status == PO_NOT_CONVERGED)
+    return po_fail(status, "no relaxed equilibrium was found at the preload, approach %.6g",
+                   po_solution_approach(start));
+  if (status)
+    return status;
+  po_march_state *s = &m->next;
+  const po_creep_terms *t = m->options.terms;
+  double sum = 0.0;
+  for (size_t j = 0; j < s->n; ++j) {
+    for (size_t k = PO_OF_RATE; k < PO_OF_INSTANT; ++k)
+      po_march_field(s, k)[j] = 0.0;
+    const double instant = po_march_field(s, PO_OF_DEFLECTION)[j] + m->solved[s->n];
+    po_march_field(s, PO_OF_INSTANT)[j] = instant;
+    for (size_t k = 0; k < t->count; ++k)
+      po_march_field(s, PO_OF_CREEP + k)[j] = t->term[k].weight * instant;
+    sum += e->surface->weight[j] * m->traction[j] * instant;
+  }
+  for (size_t k = 0; k < t->count; ++k)
+    s->square[k] = t->term[k].weight * t->term[k].weight * 2.0 / e->radius * sum;
+  s->length = 0.0;
+  s->point.time = speed > 0.0 && isfinite(speed) ? 0.0 : (double)NAN;
+  po_march_measure(m);
+  accept(m);
+  m->cap = FIRST_LENGTH;
+  e->factorized = false; /* a stable state decides on the sign of the determinant */
+  return record(m, &m->held.point, false);
+}
+
+po_status po_march_create(po_equilibrium *e, po_allowance allowed, const po_solution *start,
+                          const po_march_options *options, po_march **march) {
+  po_march *m = *march = po_allocate(1, sizeof *m);
+  if (!m)
+    return PO_NO_MEMORY;
+  m->e = e;
+  m->resolution = (po_resolution){e, allowed};
+  m->options = *options;
+  m->coupling = po_scene_coupling(e->scene);
+  m->fields = PO_OF_CREEP + options->terms->count;
+  po_status status = allocate(m);
+  if (!status)
+    status = begin(m, start);
+  if (!status)
+    return PO_OK;
+  po_march_destroy(m);
+  *march = NULL;
+  return status;
+}
+
+void po_march_destroy(po_march *m) {
+  if (!m)
+    return;
+  po_arena_free(&m->arrays);
+  free(m->records);
+  free(m);
+}
+
+/* The length of the step of another march that contains a position of the base. */
+static double length_like(const po_march *like, double moved) {
+  size_t low = 0, high = like->count - 1; /* the first record beyond is in (low, high] */
+  while (high - low > 1) {
+    const size_t middle = (low + high) / 2;
+    if (like->records[middle].point.moved > moved * (1.0 + 1e-12))
+      high = middle;
+    else
+      low = middle;
+  }
+  const double length = like->records[high].length;
+  return length > 0.0 ? length : (double)INFINITY; /* 0: a jump */
+}
+
+static double next_length(const po_march *m) {
+  const po_march *like = m->options.like;
+  const double moved = m->held.point.moved;
+  double length = m->cap;
+  if (like)
+    length = fmin(length, length_like(like, moved) / m->options.halving);
+  return isnan(m->options.end) ? length : fmin(length, m->options.end - moved);
+}
+
+/* -- The greatest tension -- */
+
+/* The vertex of the parabola through three points with different x. */
+static bool vertex(const double x[3], const double y[3], double *at, double *value) {
+  const double d1 = (y[1] - y[0]) / (x[1] - x[0]), d2 = (y[2] - y[1]) / (x[2] - x[1]);
+  const double bend = (d2 - d1) / (x[2] - x[0]);
+  if (!(bend > 0.0))
+    return false;
+  /* the slope in the middle of the first interval is d1 */
+  *at = 0.5 * (x[0] + x[1]) - 0.5 * d1 / bend;
+  *value = y[0] + (*at - x[0]) * (d1 + bend * (*at - x[1]));
+  return *at > x[0] && *at < x[2];
+}
+
+/* Solves the state at a position between `before` and the last accepted one; `held` is the state
+ * from which. Returned: m->next. */
+static po_status side_step(po_march *m, double moved) {
+  po_march_bring(m);
+  const po_march_scene scene = po_march_scene_of(m, moved - m->here.point.moved);
+  return po_march_solve(m, &scene);
+}
+
+enum { SIDE_STEPS = 2 };
+
+/* Called when the tension has passed a maximum: before, held (the middle), next. Finds the maximum
+ * by steps that end there. Given: the state after the middle one. */
+static po_status find_peak(po_march *m, const po_rate_point *before, const po_rate_point *middle,
+                           const po_rate_point *after) {
+  double x[3] = {before->moved, middle->moved, after->moved};
+  double y[3] = {before->load, middle->load, after->load};
+  po_rate_point best = *middle;
+  double at = middle->moved, value = middle->load, first = middle->moved;
+  vertex(x, y, &first, &value);
+  for (int k = 0; k < SIDE_STEPS && vertex(x, y, &at, &value); ++k) {
+    /* from the nearest state that is not beyond */
+    const bool from_middle = at > middle->moved;
+    if (fabs(at - best.moved) <= 1e-9 * (x[2] - x[0]))
+      break;
+    if (!from_middle)
+      exchange(&m->before, &m->held);
+    m->is_here = false;
+    const po_status status = side_step(m, at);
+    if (!from_middle)
+      exchange(&m->before, &m->held);
+    m->is_here = false;
+    if (status)
+      return status == PO_NOT_CONVERGED ? PO_OK : status;
+    const po_rate_point found = m->next.point;
+    /* the three nearest about the least load */
+    const int inner = found.moved > best.moved ? 1 : 0; /* best is below, found above, or reverse */
+    const double low_x = inner ? best.moved : found.moved, low_y = inner ? best.load : found.load;
+    const double high_x = inner ? found.moved : best.moved, high_y = inner ? found.load : best.load;
+    if (low_y < high_y) {
+      x[2] = high_x, y[2] = high_y;
+      x[1] = low_x, y[1] = low_y;
+    } else {
+      x[0] = low_x, y[0] = low_y;
+      x[1] = high_x, y[1] = high_y;
+    }
+    if (found.load < best.load)
+      best = found;
+  }
+  vertex(x, y, &at, &value);
+  if (m->peak.found && !(value < m->peak.at.load))
+    return PO_OK;
+  const double spread = fabs(at - first) + fabs(at - best.moved);
+  const double rate =
+      fabs(after->contact_radius - before->contact_radius) / (after->moved - before->moved);
+  m->peak = (po_march_peak){.at = best,
+                            .found = true,
+                            .jumps = m->jumps,
+                            .spread = spread,
+                            .radius_spread = spread * rate};
+  m->peak.at.base -= at - best.moved;
+  m->peak.at.approach = m->peak.at.base;
+  if (!isnan(m->options.stiffness))
+    m->peak.at.approach -= value / m->options.stiffness;
+  m->peak.at.moved = at;
+  m->peak.at.time = isnan(best.time) ? best.time : at / m->options.speed;
+  m->peak.at.load = value;
+  return PO_OK;
+}
+
+/* Takes a state as that of the greatest tension if it is. */
+static void note_peak(po_march *m, const po_rate_point *point) {
+  if (point->load < 0.0 && !(m->peak.found && m->peak.at.load <= point->load))
+    m->peak = (po_march_peak){.at = *point, .found = true, .jumps = m->jumps};
+}
+
+/* Looks for the greatest tension about the last accepted state, once the next one is known. */
+static po_status watch_peak(po_march *m, bool jumped) {
+  const po_march_record *last = m->records + m->count - 1;
+  if (jumped) {
+    note_peak(m, &last->point);
+    return PO_OK;
+  }
+  const po_rate_point before = m->before.point, middle = m->held.point, after = m->next.point;
+  if (m->count < 2 || last->jumped || !(middle.load < 0.0) || !(middle.load <= before.load) ||
+      !(middle.load < after.load) || (m->peak.found && middle.load > m->peak.at.load))
+    return PO_OK;
+  exchange(&m->next, &m->after);
+  const po_status status = find_peak(m, &before, &middle, &after);
+  exchange(&m->next, &m->after);
+  return status;
+}
+
+/* -- The march -- */
+
+/* Whether a step is one of the glassy body, for which the creep is frozen. */
+static bool is_glassy(const po_march *m, const po_march_scene *scene) {
+  const double least = m->options.speed > 0.0 ? m->options.terms->instant : 1.0;
+  return scene->factor < (1.0 + GLASSY) * least;
+}
+
+/* One step, as long as its misfit allows. Status: PO_STEP_TOO_SMALL if the glassy body has no
+ * equilibrium near: the contact jumps. */
+static po_status advance(po_march *m, double *length) {
+  double h = next_length(m);
+  for (;;) {
+    if (!m->is_here)
+      po_march_bring(m);
+    const po_march_scene scene = po_march_scene_of(m, h);
+    const po_status status = po_march_solve(m, &scene);
+    if (status && status != PO_NOT_CONVERGED)
+      return status;
+    const double aim = m->options.misfit;
+    const double misfit = status ? INFINITY : po_march_misfit(m);
+    *length = h;
+    if (misfit <= REFUSED * aim) {
+      po_march_finish(m, &scene);
+      const double wish = AIM * sqrt(aim / fmax(misfit, 1e-300));
+      m->cap = h * fmin(GROWTH, m->options.like ? fmax(1.0, FREER * wish) : wish);
+      return PO_OK;
+    }
+    if (h < SHORTEST && is_glassy(m, &scene))
+      return PO_STEP_TOO_SMALL;
+    m->e->factorized = m->e->factorized && !status;
+    h *= isfinite(misfit) ? fmax(CUT, AIM * sqrt(aim / misfit)) : CUT;
+  }
+}
+
+/* A jump changes the load, relative to 1 + its modulus, or the contact radius, relative to 1 + the
+ * radius, by more than this. Where both change less, the fold was not passed yet, and the base is
+ * moved by more, at most by LONGEST_MOVE, eps. */
+static const double LEAST_JUMP = 0.01, MORE = 4.0, LONGEST_MOVE = 1e-3;
+
+static bool is_jump(const po_rate_point *before, const po_rate_point *after) {
+  return fabs(after->load - before->load) > LEAST_JUMP * (1.0 + fabs(before->load)) ||
+         fabs(after->contact_radius - before->contact_radius) >
+             LEAST_JUMP * (1.0 + before->contact_radius);
+}
+
+/* A step, or a jump where there is none. */
+static po_status step(po_march *m, bool *jumped) {
+  double length;
+  *jumped = false;
+  po_status status = advance(m, &length);
+  if (status != PO_STEP_TOO_SMALL)
+    return status;
+  const po_rate_point before = m->held.point;
+  for (;; length *= MORE) {
+    status = po_march_jump(m, length);
+    *jumped = !status && is_jump(&before, &m->next.point);
+    if (status || *jumped || length > LONGEST_MOVE)
+      break;
+    exchange(&m->held, &m->next);
+    m->is_here = false;
+  }
+  m->cap = FIRST_LENGTH;
+  if (*jumped)
+    ++m->jumps;
+  return status;
+}
+
+po_status po_march_run(po_march *m) {
+  bool ended = false;
+  while (!ended) {
+    bool jumped;
+    po_status status = step(m, &jumped);
+    if (!status)
+      status = watch_peak(m, jumped);
+    if (status)
+      return status;
+    accept(m);
+    status = record(m, &m->held.point, jumped);
+    if (status)
+      return status;
+    if (m->count > MOST_RECORDS)
+      return po_fail(PO_TOO_MANY_POINTS, "more than %d steps, the last at approach %.6g, load %.6g",
+                     MOST_RECORDS, m->held.point.approach,
+                     m->held.point.load * po_scene_load_unit(m->e->scene));
+    ended = m->options.visit(&m->held.point, jumped, m->options.data) ||
+            m->held.point.moved >= m->options.end * (1.0 - AT_END);
+  }
+  return PO_OK;
+}
+
+po_march_peak po_march_greatest_tension(const po_march *m) {
+  return m->peak;
+}
+
+po_rate_point po_march_begin(const po_march *m) {
+  return m->records[0].point;
+}
+
+size_t po_march_steps(const po_march *m) {
+  return m->count;
+}
+
+size_t po_march_jumps(const po_march *m) {
+  return m->jumps;
+}

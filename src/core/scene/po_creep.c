@@ -1,0 +1,100 @@
+#include "po_creep.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_elementary.h"
+#include "po_number.h"
+
+/* Exponents of the Gamma spectrum, at least and at most. With a smaller one, most of the spectrum
+ * is at times shorter than those of any test. */
+static const double LEAST_EXPONENT = 0.05, GREATEST_EXPONENT = 10.0;
+
+/* Reads numbers with commas between, until the end of the text. */
+static bool read_numbers(const char *text, size_t count, double *value) {
+  char copy[PO_CREEP_TEXT];
+  if (strlen(text) >= sizeof copy)
+    return false;
+  strcpy(copy, text);
+  char *item = copy;
+  for (size_t k = 0; k < count; ++k) {
+    char *comma = strchr(item, ',');
+    if (!comma != (k + 1 == count))
+      return false;
+    if (comma)
+      *comma = '\0';
+    if (!po_number_parse(item, &value[k]))
+      return false;
+    item = comma + 1;
+  }
+  return true;
+}
+
+bool po_creep_read(const char *text, po_creep *creep) {
+  static const char SLS[] = "sls:", GAMMA[] = "gamma:";
+  double value[2] = {NAN, 1.0};
+  po_creep_kind kind = PO_CREEP_NONE;
+  if (strncmp(text, SLS, strlen(SLS)) == 0 && read_numbers(text + strlen(SLS), 1, value))
+    kind = PO_CREEP_SLS;
+  else if (strncmp(text, GAMMA, strlen(GAMMA)) == 0 && read_numbers(text + strlen(GAMMA), 2, value))
+    kind = PO_CREEP_GAMMA;
+  if (kind == PO_CREEP_NONE || !(value[0] > 0.0 && value[0] <= 1.0) ||
+      !(value[1] >= LEAST_EXPONENT && value[1] <= GREATEST_EXPONENT))
+    return false;
+  *creep = (po_creep){kind, value[0], value[1]};
+  return true;
+}
+
+void po_creep_write(const po_creep *creep, char text[PO_CREEP_TEXT]) {
+  char ratio[PO_NUMBER_LENGTH], exponent[PO_NUMBER_LENGTH];
+  po_number_print(creep->ratio, ratio);
+  po_number_print(creep->exponent, exponent);
+  if (creep->kind == PO_CREEP_SLS)
+    snprintf(text, PO_CREEP_TEXT, "sls:%s", ratio);
+  else
+    snprintf(text, PO_CREEP_TEXT, "gamma:%s,%s", ratio, exponent);
+}
+
+/* Spacing of the trapezoidal rule in u = ln(tau): its error goes as exp(-pi^2/SPACING), 2e-11, as
+ * the integrand exp(n u - e^u - t e^-u) is analytic for |Im u| < pi/2. The spectrum ends where
+ * tau^n exp(-tau) is 1e-12 of its integral, and at times shorter than SHORTEST of the duration. */
+static const double SPACING = 0.4, SHORTEST = 1e-6, LONGEST = 40.0;
+
+/* Terms of the Gamma spectrum; those that are shorter than `least` are one term. The sum of the
+ * weights is made 1, which takes the place of Gamma(n). */
+static void fill_gamma(const po_creep *creep, double least, po_creep_terms *terms) {
+  const double n = creep->exponent, from = po_log(least);
+  const double to = po_log(LONGEST + 4.0 * n);
+  const size_t count = (size_t)fmin(ceil((to - from) / SPACING) + 1.0, (double)PO_MOST_CREEP_TERMS);
+  double sum = 0.0;
+  for (size_t m = 0; m < count; ++m) {
+    const double u = to - SPACING * (double)(count - 1 - m);
+    const double weight = po_exp(n * u - po_exp(u));
+    /* the rest of the rule is a geometric series as long as exp(-tau) is 1 */
+    const double rest = m == 0 ? 1.0 / -po_expm1(-n * SPACING) : 1.0;
+    terms->term[m] = (po_creep_term){po_exp(u), weight * rest};
+    sum += weight * rest;
+  }
+  for (size_t m = 0; m < count; ++m)
+    terms->term[m].weight *= (1.0 - creep->ratio) / sum;
+  terms->count = count;
+}
+
+void po_creep_terms_fill(const po_creep *creep, double duration, po_creep_terms *terms) {
+  terms->instant = creep->ratio;
+  if (creep->kind == PO_CREEP_GAMMA) {
+    fill_gamma(creep, fmin(SHORTEST, SHORTEST * duration), terms);
+    return;
+  }
+  terms->count = 1;
+  terms->term[0] = (po_creep_term){1.0, 1.0 - creep->ratio};
+}
+
+double po_creep_compliance(const po_creep_terms *terms, double t) {
+  double sum = terms->instant;
+  for (size_t m = 0; m < terms->count; ++m)
+    sum -= terms->term[m].weight * po_expm1(-t / terms->term[m].time);
+  return sum;
+}

@@ -1,0 +1,149 @@
+"""Viscoelastic bodies: the fast limit by an elastic solve, tables, SI units, cases, refusals."""
+
+import csv
+import io
+import math
+
+import pytest
+from conftest import document, expect, run
+
+SOLID = "--viscoelastic sls:0.1 --unload-speed"
+
+
+def energies(point):
+    return sum(point["energies"][name] for name in ("stored", "adhesive", "spring"))
+
+
+@pytest.mark.parametrize("scene, preload", [("--tabor 1", 5.0), ("--tabor 0.3", 2.0), ("--tabor 3 --amplitude 1 --wavelength 20", 10.0),
+                                            ("--tabor 1 --amplitude 0.5 --wavelength 15", 4.0), ("--tabor 3", 6.0)])
+def test_the_fast_limit_is_an_elastic_scene(scene, preload, tmp_path):
+    """The gap f' = k f + (1 - k)(H0 + D0) as a table, and the coupling k kappa; both surfaces are cut at one radius."""
+    k, outer = 0.1, 60.0
+    cut = f"{scene} --outer-radius {outer}"
+    relaxed = document(f"solve {cut} --preload {preload} --profile-approach {preload} --tolerance 1e-8")
+    amplitude, length = relaxed["input"]["amplitude"], relaxed["input"]["wavelength"]
+    rows = [(0.0, None)]
+    for point in relaxed["profile"]:
+        r = point["radius"]
+        wave = amplitude * (1.0 - math.cos(2.0 * math.pi * r / length)) if amplitude else 0.0
+        rows.append((r, k * (r * r / 200.0 + wave) + (1.0 - k) * (point["gap"] + preload)))
+    # the gap is even in r: the parabola through the first two rows gives that on the axis
+    (r1, f1), (r2, f2) = rows[1:3]
+    rows[0] = (0.0, (f1 * r2**2 - f2 * r1**2) / (r2**2 - r1**2))
+    end = 2.0 * rows[-1][1] - rows[-2][1]
+    rows.append((2.0 * rows[-1][0] - rows[-2][0], end))
+    table = tmp_path / "gap.csv"
+    table.write_text("r,gap\n" + "".join(f"{r!r},{f!r}\n" for r, f in rows))
+    coupling = k * relaxed["input"]["tabor"]**1.5 / 10.0
+    elastic = run(f"solve --profile-file {table} --coupling {coupling!r} --radius 100 --outer-radius {outer} "
+                  f"--preload {preload - rows[0][1]!r} --json").json
+    fast = document(f"solve {cut} --preload {preload} --viscoelastic sls:{k} --unload-speed inf")
+    # the approach of a table is that of its axis; loading of that scene may pass other minima than unloading
+    nearest = min(elastic["extrema"], key=lambda point: abs(point["approach"] + rows[0][1] - fast["pull_off"]["approach"]))
+    assert nearest["kind"] == "minimum"
+    assert math.isclose(fast["pull_off"]["force"], -nearest["load"], rel_tol=2e-6)
+    assert math.isclose(fast["pull_off"]["approach"], nearest["approach"] + rows[0][1], abs_tol=1e-3)
+    assert fast["unloading"]["end"]["energies"]["dissipated"] == pytest.approx(0.0, abs=1e-9)
+    # and it is what no finite speed exceeds
+    finite = document(f"solve {cut} --preload {preload} --viscoelastic gamma:{k},0.6 --unload-speed 100")
+    assert finite["pull_off"]["force"] < fast["pull_off"]["force"]
+
+
+def test_the_history_is_a_table(tmp_path):
+    path = tmp_path / "history.csv"
+    words = f"solve --tabor 0.5 --preload 3 {SOLID} 2 --stiffness 1"
+    found = document(f"{words} --want history")
+    expect(0, "", f"{words} --history {path}")
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    rows = list(csv.DictReader(io.StringIO("\n".join(lines))))
+    points = found["unloading"]["history"]
+    assert len(rows) == len(points) == found["unloading"]["steps"]
+    for row, point in zip(rows, points):
+        assert float(row["load"]) == point["load"]
+        assert float(row["work"]) == point["energies"]["work"]
+        assert math.isclose(point["base"], point["approach"] + point["load"], abs_tol=1e-7)
+        assert math.isclose(point["time"], point["moved"] / 2.0, rel_tol=1e-14)
+        lost = point["energies"]["dissipated"] + point["energies"]["jumps"]
+        assert math.isclose(point["energies"]["work"], energies(point) - energies(points[0]) + lost, abs_tol=1e-3)
+    force = found["pull_off"]["force"]
+    greatest = max(-point["load"] for point in points)
+    assert greatest <= force + found["pull_off"]["error_estimate"]
+    assert math.isclose(greatest, force, rel_tol=1e-3)
+
+
+def test_si_units_are_converted():
+    scene = "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8"
+    si = document(f"solve {scene} --preload-m 6e-10 --viscoelastic sls:0.2 --relaxation-time-s 1e-3 --unload-speed-m-per-s 6e-7")
+    assert si["input"]["unload_speed"] == pytest.approx(2.0, rel=1e-14)
+    plain = document(f"solve --tabor {si['input']['tabor']!r} --radius 100 --preload 2 --viscoelastic sls:0.2 --unload-speed 2")
+    assert plain["pull_off"]["force"] == pytest.approx(si["pull_off"]["force"], rel=1e-6)
+    unit = math.pi * 0.05 * 3e-8
+    assert si["physical"]["pull_off"]["force_n"] == pytest.approx(unit * si["pull_off"]["force"], rel=1e-12)
+    work = si["unloading"]["end"]["energies"]["work"]
+    assert si["physical"]["unloading"]["end"]["energies"]["work_j"] == pytest.approx(unit * 3e-10 * work, rel=1e-12)
+
+
+def test_the_preload_may_be_a_load():
+    by_load = document(f"solve --tabor 1 --preload-load 2 {SOLID} 1")
+    begin = by_load["unloading"]["begin"]
+    assert begin["load"] == pytest.approx(2.0, abs=1e-8)
+    by_approach = document(f"solve --tabor 1 --preload {begin['approach']!r} {SOLID} 1")
+    assert by_approach["pull_off"]["force"] == pytest.approx(by_load["pull_off"]["force"], rel=1e-6)
+
+
+def test_many_times_cost_no_newton_iterations():
+    """Steps with a spectrum of some fifty terms take as many Newton iterations as with one."""
+    per_step = []
+    for material in ("sls:0.1", "gamma:0.1,1"):
+        found = document(f"solve --tabor 1 --preload 4 --viscoelastic {material} --unload-speed 1e3")
+        per_step.append(found["work"]["newton_iterations"] / found["unloading"]["steps"])
+    assert found["unloading"]["terms"] > 40
+    assert per_step[1] < 1.1 * per_step[0]
+
+
+def test_a_case_has_speeds(tmp_path):
+    elastic = document("solve --tabor 1 --preload 3")["pull_off"]["force"]
+    fast = document("solve --tabor 1 --preload 3 --viscoelastic sls:0.2 --unload-speed inf")["pull_off"]["force"]
+    table = tmp_path / "forces.csv"
+    table.write_text(f"unload_speed,force\n0,{elastic!r}\ninf,{fast!r}\n")
+    expect(0, "", f"seal {table} --what forces --units 'epsilon, pi w R' --source solves --kind oracle --method 'elastic solves' --uncertainty 1e-6")
+    case = tmp_path / "rate.yaml"
+    case.write_text("""name: rate
+title: Pull-off against speed
+suites: [own]
+want: [pull_off]
+scene: {tabor: 1, radius: 100, outer_radius: .inf, scheme: panel, preload: 3, viscoelastic: 'sls:0.2'}
+sweep:
+  - {key: unload_speed, values: [0, .inf]}
+checks:
+  - {quantity: pull_off_force, reference: forces.csv, tolerance: 1e-5, kind: abs, because: both limits are elastic}
+""")
+    ended = run(f"verify {case} --output {tmp_path / 'out'}")
+    assert ended.code == 0, ended.err + ended.out
+
+
+@pytest.mark.parametrize("words, message", [
+    ("--viscoelastic sls:0", "*--viscoelastic is sls:0: expected sls:K or gamma:K,N*"),
+    ("--viscoelastic sls:1.5 --unload-speed 1", "*--viscoelastic is sls:1.5: expected*"),
+    ("--viscoelastic gamma:0.1 --unload-speed 1", "*--viscoelastic is gamma:0.1: expected*"),
+    ("--viscoelastic sls:0.1", "*--unload-speed is missing: expected a number >= 0, or inf, beside viscoelastic"),
+    ("--unload-speed 1", "*--unload-speed is 1: expected it beside viscoelastic"),
+    (f"{SOLID} -1", "*--unload-speed is -1: expected a finite number >= 0, or inf"),
+    (f"--tabor 0 {SOLID} 1", "*viscoelastic is given for a rigid scene: expected tabor > 0"),
+    (f"--scheme ring {SOLID} 1", "*viscoelastic is given with the scheme ring: expected panel"),
+    (f"--preload inf {SOLID} 1", "*preload is inf beside viscoelastic: expected a finite number"),
+    (f"--want curve {SOLID} 1", "*a result other than history and theories is wanted beside viscoelastic*"),
+    (f"--tabor 1+-0.1 {SOLID} 1", "*an uncertain input is given beside viscoelastic: expected none"),
+    ("--want history", "*history is wanted: expected it beside viscoelastic"),
+    ("--unload-speed-m-per-s 1 --viscoelastic sls:0.1", "*--unload-speed-m-per-s is 1: expected it with --from-physical*"),
+])
+def test_messages(words, message):
+    expect(2, message, f"solve {words}")
+
+
+def test_messages_of_si_units():
+    scene = "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8 --viscoelastic sls:0.2"
+    expect(2, "*--relaxation-time-s is missing: expected a finite number > 0, as the speed is in m/s",
+           f"solve {scene} --unload-speed-m-per-s 1e-6")
+    expect(2, "*--relaxation-time-s is 1: expected it beside a speed in m/s",
+           f"solve {scene} --relaxation-time-s 1")

@@ -1,0 +1,228 @@
+/* Creep, and the pull-off of viscoelastic bodies: exact limits, order of convergence, energies. */
+#include <math.h>
+
+#include "po_creep.h"
+#include "po_elementary.h"
+#include "po_solve.h"
+#include "request.h"
+#include "run.h"
+
+/* phi of the Gamma spectrum is 2 s^n K_n(2 s)/Gamma(n) with s = sqrt(t), elementary for n = 1/2,
+ * 3/2 and 5/2. */
+static double gamma_of(double exponent, double t) {
+  const double s = sqrt(t), factor = po_exp(-2.0 * s);
+  if (exponent == 0.5)
+    return factor;
+  return exponent == 1.5 ? (1.0 + 2.0 * s) * factor : (1.0 + 2.0 * s + 4.0 / 3.0 * t) * factor;
+}
+
+START_TEST(gamma_spectra_have_their_closed_form) {
+  static const double EXPONENTS[] = {0.5, 1.5, 2.5}, K = 0.1;
+  for (int k = 0; k < 3; ++k) {
+    po_creep_terms terms;
+    po_creep_terms_fill(&(po_creep){PO_CREEP_GAMMA, K, EXPONENTS[k]}, 1e-3, &terms);
+    for (double t = 1e-3; t < 30.0; t *= 1.7)
+      ck_assert_double_eq_tol(po_creep_compliance(&terms, t),
+                              1.0 - (1.0 - K) * gamma_of(EXPONENTS[k], t), 3e-8);
+  }
+}
+
+START_TEST(terms_have_all_the_weight) {
+  for (double exponent = 0.05; exponent < 10.0; exponent *= 1.6)
+    for (double duration = 1e-9; duration < 1e10; duration *= 1e3) {
+      po_creep_terms terms;
+      po_creep_terms_fill(&(po_creep){PO_CREEP_GAMMA, 0.3, exponent}, duration, &terms);
+      double sum = terms.instant;
+      ck_assert_uint_lt(terms.count, PO_MOST_CREEP_TERMS);
+      for (size_t m = 0; m < terms.count; ++m)
+        sum += terms.term[m].weight;
+      ck_assert_double_eq_tol(sum, 1.0, 1e-13);
+    }
+}
+
+START_TEST(texts_of_materials_are_read_and_refused) {
+  static const char *const WRONG[] = {
+      "",          "sls",        "sls:",           "sls:0",        "sls:1.01",      "sls:0.1,2",
+      "gamma:0.1", "gamma:0.1,", "gamma:0.1,0.04", "gamma:0.1,11", "gamma:0.1,1,1", "sls:nan",
+      "Sls:0.1"};
+  po_creep creep = {PO_CREEP_NONE, 7.0, 7.0}, again;
+  for (size_t k = 0; k < sizeof WRONG / sizeof *WRONG; ++k) {
+    ck_assert_msg(!po_creep_read(WRONG[k], &creep), "%s", WRONG[k]);
+    ck_assert_double_eq(creep.ratio, 7.0);
+  }
+  static const char *const RIGHT[] = {"sls:0.1", "sls:1", "gamma:0.025,0.6"};
+  for (size_t k = 0; k < sizeof RIGHT / sizeof *RIGHT; ++k) {
+    char text[PO_CREEP_TEXT];
+    ck_assert(po_creep_read(RIGHT[k], &creep));
+    po_creep_write(&creep, text);
+    ck_assert(po_creep_read(text, &again));
+    ck_assert_str_eq(text, RIGHT[k]);
+    ck_assert_double_eq(again.ratio, creep.ratio);
+  }
+}
+
+static po_request rate_of(double tabor, double amplitude, double preload, po_creep creep,
+                          double speed) {
+  po_request request = request_of(tabor, amplitude, 20.0, INFINITY);
+  request.mesh = po_mesh_default();
+  request.preload.approach = preload;
+  request.creep = creep;
+  request.unload_speed = speed;
+  return request;
+}
+
+static po_result solved(const po_request *request) {
+  po_result result;
+  ck_assert_msg(po_solve(request, &result) == PO_OK, "%s", result.reason);
+  ck_assert(result.has_pull_off);
+  return result;
+}
+
+static const po_creep ELASTIC = {PO_CREEP_NONE, 0.0, 0.0}, SOLID = {PO_CREEP_SLS, 0.1, 1.0};
+
+/* Scenes: Tabor parameter, amplitude, preload. */
+static const double SCENES[][3] = {
+    {0.1, 0.0, 2.0}, {1.0, 0.0, 5.0}, {4.0, 0.0, 3.0}, {3.0, 1.0, 10.0}, {1.0, 0.5, 4.0}};
+enum { SCENE_COUNT = sizeof SCENES / sizeof *SCENES };
+
+static void same_as_elastic(const double scene[3], po_creep creep, double speed) {
+  const po_request elastic = rate_of(scene[0], scene[1], scene[2], ELASTIC, NAN);
+  const po_request creeping = rate_of(scene[0], scene[1], scene[2], creep, speed);
+  po_result a = solved(&elastic), b = solved(&creeping);
+  ck_assert_double_eq_tol(b.pull_off.force, a.pull_off.force, 1e-6 * a.pull_off.force);
+  ck_assert_double_le(fabs(b.pull_off.force - a.pull_off.force),
+                      b.pull_off.force_error + a.pull_off.force_error);
+  ck_assert_double_eq_tol(b.pull_off.approach, a.pull_off.approach, 1e-4);
+  ck_assert_double_eq_tol(b.rate.end.energy.dissipated, 0.0, 1e-6);
+  po_result_clear(&a);
+  po_result_clear(&b);
+}
+
+START_TEST(at_speed_0_the_body_is_elastic) {
+  same_as_elastic(SCENES[_i], SOLID, 0.0);
+}
+
+START_TEST(with_one_modulus_the_body_is_elastic) {
+  same_as_elastic(SCENES[_i], (po_creep){PO_CREEP_SLS, 1.0, 1.0}, 10.0);
+}
+
+/* The jumps of unloading lose what the elastic loop loses in its own. */
+START_TEST(jumps_lose_what_the_elastic_loop_loses) {
+  po_request elastic = rate_of(3.0, 1.0, 10.0, ELASTIC, NAN);
+  elastic.want |= PO_WANT_HYSTERESIS;
+  const po_request creeping = rate_of(3.0, 1.0, 10.0, SOLID, 0.0);
+  po_result a = solved(&elastic), b = solved(&creeping);
+  const po_loop *loop = &a.hysteresis.of[PO_AT_APPROACH];
+  double lost = 0.0;
+  size_t count = 0;
+  for (size_t k = 0; k < loop->jump_count; ++k)
+    if (!loop->jumps[k].loading) {
+      lost += loop->jumps[k].energy_lost;
+      ++count;
+    }
+  ck_assert_uint_eq(b.rate.jumps, count);
+  ck_assert_double_eq_tol(b.rate.end.energy.jumps, lost, 1e-3);
+  po_result_clear(&a);
+  po_result_clear(&b);
+}
+
+/* Far slower and far faster than all its times, the body is near its limits. */
+START_TEST(speeds_tend_to_the_limits) {
+  const double slow = 1e-6, fast = 1e7;
+  const double speeds[] = {0.0, slow, fast, INFINITY};
+  double force[4];
+  for (int k = 0; k < 4; ++k) {
+    const po_request request = rate_of(1.0, 0.0, 5.0, SOLID, speeds[k]);
+    po_result result = solved(&request);
+    force[k] = result.pull_off.force;
+    po_result_clear(&result);
+  }
+  ck_assert_double_eq_tol(force[1], force[0], 1e-5);
+  ck_assert_double_eq_tol(force[2], force[3], 1e-5);
+  ck_assert_double_gt(force[3], 4.0 * force[0]);
+}
+
+/* With a hundredth of the tolerance the steps are a third as long: a tenth of the error, of the
+ * second order. The extrapolated values agree within the stated errors. */
+START_TEST(steps_are_of_second_order) {
+  const double tolerances[] = {1e-5, 1e-7};
+  double force[2], work[2], part[2], imbalance[2], error[2];
+  for (int k = 0; k < 2; ++k) {
+    po_request request = rate_of(1.0, 0.0, 5.0, (po_creep){PO_CREEP_GAMMA, 0.1, 0.6}, 1.0);
+    request.mesh.tolerance = tolerances[k];
+    po_result result = solved(&request);
+    force[k] = result.pull_off.force;
+    error[k] = result.pull_off.force_error;
+    part[k] = result.rate.time_part;
+    imbalance[k] = result.rate.imbalance;
+    work[k] =
+        result.rate.end.energy.work + result.rate.end.energy.adhesive; /* until infinitely apart */
+    po_result_clear(&result);
+  }
+  ck_assert_double_gt(part[0], 7.0 * part[1]);
+  ck_assert_double_lt(part[0], 14.0 * part[1]);
+  ck_assert_double_gt(imbalance[0], 7.0 * imbalance[1]);
+  ck_assert_double_lt(imbalance[0], 14.0 * imbalance[1]);
+  ck_assert_double_le(fabs(force[0] - force[1]), 0.1 * error[0]);
+  ck_assert_double_lt(fabs(work[0] - work[1]), 0.1);
+}
+
+/* The balance of energy of every step, and the dissipation, which never falls. Through a spring,
+ * with a jump; and of a wavy sphere. */
+START_TEST(energy_is_balanced_and_dissipation_is_positive) {
+  po_request request = _i == 0 ? rate_of(1.0, 0.0, 5.0, SOLID, 1.0)
+                       : _i == 1
+                           ? rate_of(1.0, 0.0, 3.0, SOLID, 2.0)
+                           : rate_of(3.0, 1.0, 10.0, (po_creep){PO_CREEP_GAMMA, 0.1, 1.4}, 30.0);
+  if (_i == 1)
+    request.stiffness = 0.5;
+  request.want |= PO_WANT_HISTORY;
+  po_result result = solved(&request);
+  const po_rate_point *p = result.rate.history;
+  const po_rate_energy *first = &p->energy;
+  ck_assert_uint_eq(result.rate.history_count, result.rate.steps);
+  for (size_t k = 1; k < result.rate.history_count; ++k) {
+    const po_rate_energy *e = &p[k].energy;
+    const double change =
+        e->stored + e->adhesive + e->spring - first->stored - first->adhesive - first->spring;
+    ck_assert_double_eq_tol(e->work, change + e->dissipated + e->jumps, 5e-4);
+    ck_assert_double_ge(e->dissipated, p[k - 1].energy.dissipated - 1e-9);
+    ck_assert_double_ge(e->jumps, p[k - 1].energy.jumps - 1e-9);
+    ck_assert_double_gt(p[k].moved, p[k - 1].moved);
+    ck_assert_double_eq_tol(p[k].base, p[0].base - p[k].moved, 1e-9);
+  }
+  ck_assert_double_gt(result.rate.end.energy.dissipated, 0.1);
+  ck_assert_uint_eq(result.rate.jumps, _i > 0);
+  po_result_clear(&result);
+}
+
+/* Values of an independent prototype, first dense and of first order, then of second: a body of one
+ * time, mu = 1, k = 0.1, moved from approach 5 to 0 at speed 1 (work 3.646, dissipated 6.522). */
+START_TEST(work_until_approach_0_is_that_of_a_prototype) {
+  po_request request = rate_of(1.0, 0.0, 5.0, SOLID, 1.0);
+  request.want |= PO_WANT_HISTORY;
+  po_result result = solved(&request);
+  size_t k = 0;
+  while (result.rate.history[k].approach > 0.0)
+    ++k;
+  ck_assert_double_eq_tol(result.rate.history[k].energy.work, 3.646, 0.04);
+  ck_assert_double_eq_tol(result.rate.history[k].energy.dissipated, 6.522, 0.02);
+  po_result_clear(&result);
+}
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, gamma_spectra_have_their_closed_form);
+  tcase_add_test(tests, terms_have_all_the_weight);
+  tcase_add_test(tests, texts_of_materials_are_read_and_refused);
+  tcase_add_loop_test(tests, at_speed_0_the_body_is_elastic, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, with_one_modulus_the_body_is_elastic, 0, SCENE_COUNT);
+  tcase_add_test(tests, jumps_lose_what_the_elastic_loop_loses);
+  tcase_add_test(tests, speeds_tend_to_the_limits);
+  tcase_add_test(tests, steps_are_of_second_order);
+  tcase_add_loop_test(tests, energy_is_balanced_and_dissipation_is_positive, 0, 3);
+  tcase_add_test(tests, work_until_approach_0_is_that_of_a_prototype);
+}
+
+int main(void) {
+  return run_case("rate", add);
+}
