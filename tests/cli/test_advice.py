@@ -25,7 +25,7 @@ GRASPS = "--preload-load 1.7766593602795224 --tolerance 1e-4"
 
 # The scene that fails, its message, and scenes that follow the advice of the message, or of the table in doc/guide.md.
 ADVICE = (
-    ("--tabor 1e6 --tolerance 0.01", "*shorter than 2^-40 *, otherwise a smaller coupling or Tabor parameter*", "--tabor 100 --tolerance 0.01"),
+    ("--tabor 1e6 --tolerance 0.01 --range exact", "*shorter than 2^-40 *, otherwise a smaller coupling or Tabor parameter*", "--tabor 100 --tolerance 0.01"),
     (f"{CUT} 1e6", "*shorter than 2^-40 *: if the load is compressive there, expected a smaller preload*", f"{CUT} 10"),
     (f"{FINE} 1", "*nodes or more and * of memory*: expected longer waves, a smaller outer radius*", f"{FINE} 1e7", f"{FINE} 1 --outer-radius 100"),
     (f"{HARD} 1e15", "*nodes or more and * of memory*or a smaller preload", f"{HARD} 0.5"),

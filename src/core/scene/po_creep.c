@@ -7,38 +7,20 @@
 
 #include "po_elementary.h"
 #include "po_number.h"
+#include "po_parameters.h"
 
 /* Exponents of the Gamma spectrum, at least and at most. With a smaller one, most of the spectrum
  * is at times shorter than those of any test. */
 static const double LEAST_EXPONENT = 0.05, GREATEST_EXPONENT = 10.0;
 
-/* Reads numbers with commas between, until the end of the text. */
-static bool read_numbers(const char *text, size_t count, double *value) {
-  char copy[PO_CREEP_TEXT];
-  if (strlen(text) >= sizeof copy)
-    return false;
-  strcpy(copy, text);
-  char *item = copy;
-  for (size_t k = 0; k < count; ++k) {
-    char *comma = strchr(item, ',');
-    if (!comma != (k + 1 == count))
-      return false;
-    if (comma)
-      *comma = '\0';
-    if (!po_number_parse(item, &value[k]))
-      return false;
-    item = comma + 1;
-  }
-  return true;
-}
-
 bool po_creep_read(const char *text, po_creep *creep) {
   static const char SLS[] = "sls:", GAMMA[] = "gamma:";
   double value[2] = {NAN, 1.0};
   po_creep_kind kind = PO_CREEP_NONE;
-  if (strncmp(text, SLS, strlen(SLS)) == 0 && read_numbers(text + strlen(SLS), 1, value))
+  if (strncmp(text, SLS, strlen(SLS)) == 0 && po_parameters_read(text + strlen(SLS), 1, value))
     kind = PO_CREEP_SLS;
-  else if (strncmp(text, GAMMA, strlen(GAMMA)) == 0 && read_numbers(text + strlen(GAMMA), 2, value))
+  else if (strncmp(text, GAMMA, strlen(GAMMA)) == 0 &&
+           po_parameters_read(text + strlen(GAMMA), 2, value))
     kind = PO_CREEP_GAMMA;
   if (kind == PO_CREEP_NONE || !(value[0] > 0.0 && value[0] <= 1.0) ||
       !(value[1] >= LEAST_EXPONENT && value[1] <= GREATEST_EXPONENT))
