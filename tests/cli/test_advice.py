@@ -43,7 +43,7 @@ ADVICE = (
     ("--tabor 5 --preload-load 1 --approach-end -2", "*; expected a greater approach_end; *", "--tabor 5 --preload-load 1 --approach-end 20"),
     (f"{NOISY} 1e-10", "*times the tolerance*: expected a larger tolerance", f"{NOISY} 1e-8"),
     ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*", "--tabor 100"),
-    (f"{NARROW} {GRASPS}", f"*edge is 3.5e-07 wavelengths wide, with * times smaller ({WIDER}), changing loads by 5e-04 where tried", f"{WIDER} {GRASPS}"),
+    (f"{NARROW} {GRASPS} --range exact", f"*edge is 3.5e-07 wavelengths wide, with * times smaller ({WIDER}), changing loads by 5e-04 where tried", f"{WIDER} {GRASPS}"),
     ("--tabor 2 --time-limit 1e-9", "*of processor time*", "--tabor 2 --time-limit 600"),
     (f"{TABLE} 30.csv --preload 30", "*expected rows for larger radii, or a smaller preload; *", f"{TABLE} 200.csv --preload 30", f"{TABLE} 30.csv --preload 0"),
 )
