@@ -383,6 +383,8 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
   const po_scene *scene = &request->scene;
   if (key == PO_KEY_PROFILE_FILE && strcmp(text, po_profile_digest(&scene->profile)) == 0)
     return true;
+  if (key == PO_KEY_STIFFNESS && strcmp(text, "-") == 0)
+    return isnan(request->stiffness);
   if (!po_key_set(&wanted, key, text))
     return false;
   switch (key) {
