@@ -340,10 +340,11 @@ static void print_unloading(const po_request *request, const po_result *o) {
   printf(
       "unloaded at speed %g epsilon/tau_0 from approach %.8g, load %.8g; pull-off after %s tau_0, "
       "with %zu %s of the contact in all\n",
-      r->speed, r->begin.approach, r->begin.load, po_number_or("%.8g", r->time, "(no time)", time),
-      r->jumps, po_one_or_more(r->jumps, "jump", "jumps"));
-  printf("work     %.8g +- %.1e until approach %.6g, in %s epsilon\n", end->work, error->work,
-         r->end.approach, po_input_load_unit(request));
+      r->speed, r->begin.approach, r->begin.load,
+      po_number_or("%.8g", r->time, isinf(r->speed) ? "0" : "infinitely many", time), r->jumps,
+      po_one_or_more(r->jumps, "jump", "jumps"));
+  printf("base     does the work %.8g +- %.1e until approach %.6g, in %s epsilon\n", end->work,
+         error->work, r->end.approach, po_input_load_unit(request));
   printf("losses   dissipated %.8g +- %.1e, in jumps %.8g +- %.1e\n", end->dissipated,
          error->dissipated, end->jumps, error->jumps);
   printf("energies stored from %.8g to %.8g +- %.1e, adhesive from %.8g to %.8g +- %.1e",
