@@ -18,10 +18,12 @@
 
 typedef struct {
   const po_request *request;
-  const po_surface *surface;
+  po_surface *surface;
   po_preload preload;
   po_solution *reached; /* the last state of loading at given approach */
   double greatest;      /* approach */
+  double load;          /* of the preload, pi w R; NAN: none */
+  po_preload low, high; /* of loading: the last state below that load, and one that reaches it */
   bool met;
   size_t most_nodes;
   po_status status;
@@ -43,6 +45,7 @@ static bool visit_loading(const po_branch_point *point, void *data) {
   if (!point->solution || (!first && !(point->approach > l->greatest)))
     return false;
   l->greatest = point->approach;
+  *(point->load < l->load ? &l->low : &l->high) = (po_preload){point->approach, point->load};
   po_solution_copy(point->solution, l->reached);
   l->met =
       point->load >= l->preload.load || fabs(point->approach - l->preload.approach) < AT_PRELOAD;
@@ -58,7 +61,10 @@ static double load_of(const po_equilibrium *e, const double *state, const void *
 /* Parts into which the way to the load is divided at most, by halving. */
 enum { MOST_PARTS = 256 };
 
-/* Newton's method from a state of loading just beyond the load of the preload to that load. */
+/* Relative distance from the load of the preload that is rounding. */
+static const double AT_LOAD = 1e-8;
+
+/* Newton's method from a state of loading near the load of the preload to that load. */
 static po_status go_to_load(po_equilibrium *e, const loading *l) {
   po_solution *p = l->reached;
   const double from = p->load;
@@ -73,7 +79,7 @@ static po_status go_to_load(po_equilibrium *e, const loading *l) {
     memcpy(state, p->state, (e->n + 1) * sizeof *state);
     for (int k = 1; k <= parts; ++k) {
       const double part = (double)k / parts;
-      const po_constraint to = {load_of, NULL, from + part * (l->preload.load - from), INFINITY};
+      const po_constraint to = {load_of, NULL, from + part * (l->load - from), INFINITY};
       po_equilibrium_evaluate(e, state);
       for (size_t j = 0; j < e->n; ++j)
         border[j] = 2.0 / e->radius * e->surface->weight[j] * e->slope[j];
@@ -81,6 +87,8 @@ static po_status go_to_load(po_equilibrium *e, const loading *l) {
       status = po_corrector_factorize(e, state, border);
       if (!status)
         status = po_equilibrium_correct_to(e, state, &to);
+      if (!status && fabs(po_equilibrium_load(e) - to.target) > AT_LOAD * (1.0 + fabs(to.target)))
+        status = PO_NOT_CONVERGED;
       if (status)
         break;
     }
@@ -97,12 +105,12 @@ static po_status go_to_load(po_equilibrium *e, const loading *l) {
         PO_NOT_CONVERGED,
         "the load of the preload, %.6g, was not found from the state of load %.6g; expected "
         "the preload as an approach, %.6g or less",
-        l->preload.load * po_scene_load_unit(e->scene), from * po_scene_load_unit(e->scene),
-        l->greatest);
+        l->load * po_scene_load_unit(e->scene), from * po_scene_load_unit(e->scene), l->greatest);
   return status;
 }
 
-static po_status load_relaxed(const po_request *request, po_equilibrium *e, loading *l) {
+/* Loads until the approach or the load of the preload is reached. */
+static po_status load_once(const po_request *request, po_equilibrium *e, loading *l) {
   po_continuation_options options = po_continuation_options_default();
   options.minima_only = true;
   options.end = l->preload.approach;
@@ -122,9 +130,43 @@ static po_status load_relaxed(const po_request *request, po_equilibrium *e, load
   if (!status && !l->met)
     status = po_fail(PO_NOT_FOUND, "the preload was not reached: loading ended at approach %.6g",
                      l->greatest);
-  if (!status && l->reached->load > l->preload.load)
-    status = go_to_load(e, l);
   return status;
+}
+
+/* Newton's method goes to the load of the preload from a state whose load differs by less than
+ * NEAR_LOAD of 1 + that load: then no contact edge moves by more than its width. */
+static const double NEAR_LOAD = 2e-4;
+enum { MOST_LOADINGS = 12 };
+
+/* An approach between the states below and beyond the load, nearer to the one that is nearer. */
+static double next_approach(const loading *l) {
+  const double part = (l->load - l->low.load) / (l->high.load - l->low.load);
+  return l->low.approach + fmin(fmax(part, 0.02), 0.98) * (l->high.approach - l->low.approach);
+}
+
+/* Loads to the preload. The last step of a trace may pass its load by much: it is then approached
+ * by traces that end at an approach. Given: *e, NULL. */
+static po_status load_relaxed(const po_request *request, po_equilibrium **e, loading *l) {
+  const double near = NEAR_LOAD * (1.0 + fabs(l->load));
+  po_status status = PO_OK;
+  for (int k = 0; k < MOST_LOADINGS; ++k) {
+    po_equilibrium_destroy(*e);
+    *e = NULL;
+    l->greatest = -INFINITY;
+    l->reached->n = 0;
+    l->met = false;
+    status = po_equilibrium_create(&request->scene, l->surface, e);
+    if (status)
+      return status;
+    (*e)->precision = po_solve_precision(request->mesh.tolerance);
+    status = load_once(request, *e, l);
+    if (status || isnan(l->load) || (k == 0 && l->reached->load < l->load))
+      return status;
+    if (fabs(l->reached->load - l->load) < near && !(status = go_to_load(*e, l)))
+      return PO_OK;
+    l->preload = (po_preload){next_approach(l), NAN};
+  }
+  return status ? status : go_to_load(*e, l);
 }
 
 /* -- Marches -- */
@@ -365,14 +407,10 @@ po_status po_rate_solve(const po_request *request, const po_attempt *a, po_surfa
                .surface = surface,
                .preload = po_request_preload(request),
                .reached = &reached,
-               .greatest = -INFINITY};
+               .load = po_request_preload(request).load};
   po_status status = po_solution_allocate(&reached, surface->capacity, &arrays);
   if (!status)
-    status = po_equilibrium_create(&request->scene, surface, &e);
-  if (!status) {
-    e->precision = po_solve_precision(request->mesh.tolerance);
-    status = load_relaxed(request, e, &l);
-  }
+    status = load_relaxed(request, &e, &l);
   if (!status) {
     const po_far_field far = po_far_field_of(&request->scene, &reached);
     po_contact_gap gap = po_contact_gap_on_panels(&request->scene, &reached);

@@ -36,6 +36,7 @@ static char **make_environment(const po_solver *solver, const char *folder) {
                                   {"HOME", folder},
                                   {"TMPDIR", folder},
                                   {"LANG", "C.UTF-8"},
+                                  {"PYTHONDONTWRITEBYTECODE", "1"},
                                   {"OMP_NUM_THREADS", "1"},
                                   {"OPENBLAS_NUM_THREADS", "1"},
                                   {"MKL_NUM_THREADS", "1"},
