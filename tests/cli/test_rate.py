@@ -105,7 +105,7 @@ def test_a_case_has_speeds(tmp_path):
     elastic = document("solve --tabor 1 --preload 3")["pull_off"]["force"]
     fast = document("solve --tabor 1 --preload 3 --viscoelastic sls:0.2 --unload-speed inf")["pull_off"]["force"]
     table = tmp_path / "forces.csv"
-    table.write_text(f"unload_speed,force\n0,{elastic!r}\ninf,{fast!r}\n")
+    table.write_text(f"viscoelastic,unload_speed,force\nsls:0.2,0,{elastic!r}\nsls:0.2,inf,{fast!r}\n")
     expect(0, "", f"seal {table} --what forces --units 'epsilon, pi w R' --source solves --kind oracle --method 'elastic solves' --uncertainty 1e-6")
     case = tmp_path / "rate.yaml"
     case.write_text("""name: rate

@@ -8,7 +8,7 @@
 #include "po_suggest.h"
 #include "po_text.h"
 
-enum { DONE = -1, BAD = -2, MOST_OPTIONS = 100 };
+enum { DONE = -1, BAD = -2, MOST_OPTIONS = 128 };
 
 /* What the program was given when getopt refused it: a letter of a group such as -xj2, or a word.
  */
