@@ -81,7 +81,8 @@ static bool find(const char *given, size_t length, const char *known, const char
 
 po_status po_suggest(po_status status, const char *given, const char *known) {
   const char *number = strstr(known, "number");
-  if (number && number[strlen("number")] != 's' && *po_number_fault(given))
+  const bool pair = strstr(po_message(), "two with a comma"); /* a comma is no slip then */
+  if (number && number[strlen("number")] != 's' && !pair && *po_number_fault(given))
     return po_fail(status, "%s%s", po_message(), po_number_fault(given));
   given += strspn(given, "-");
   for (size_t length; *given; given += length + (given[length] == ',')) {
