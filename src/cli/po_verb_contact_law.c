@@ -150,10 +150,37 @@ static po_status write_text(const law_line *line, const po_particle_text *t) {
   return status;
 }
 
+/* Appends the options of the scene: those of a scene in SI units as they were given. */
+static void add_scene(const law_line *line, po_text *made) {
+  const po_texts *given = &line->scene.given;
+  if (!line->request.in_si) {
+    po_request shown = line->request;
+    po_text command = {0};
+    shown.want = 0;
+    po_input_add_command(&shown, &command);
+    po_text_add(made, "%s", po_text_string(&command) + strlen("pulloff solve"));
+    made->failed = made->failed || command.failed;
+    po_text_clear(&command);
+    return;
+  }
+  po_text_add(made, " --from-physical");
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
+    char flag[PO_FLAG_LENGTH];
+    if (!given->text[key])
+      continue;
+    if (key == PO_KEY_WAVES) {
+      po_input_add_waves(made, given->text[key]);
+      continue;
+    }
+    po_key_flag(key, flag);
+    po_text_add(made, " --%s ", flag);
+    po_text_add_word(made, given->text[key]);
+  }
+}
+
 static po_status make(const law_line *line) {
   po_particle_law law;
   po_particle_numbers half, twice;
-  po_text command = {0};
   po_status status = po_particle_law_make(&line->request, line->error, &law);
   if (status)
     return status;
@@ -165,19 +192,15 @@ static po_status make(const law_line *line) {
     t.half = &half;
     t.twice = &twice;
   }
-  po_request shown = line->request;
-  shown.want = 0;
-  po_input_add_command(&shown, &command);
   char error[PO_NUMBER_LENGTH];
   po_number_print(line->error, error);
   po_text made = {0};
-  po_text_add(&made, "pulloff contact-law%s --format %s --error %s",
-              po_text_string(&command) + strlen("pulloff solve"), PO_PARTICLE_FORMATS[line->format],
-              error);
+  po_text_add(&made, "pulloff contact-law");
+  add_scene(line, &made);
+  po_text_add(&made, " --format %s --error %s", PO_PARTICLE_FORMATS[line->format], error);
   t.command = po_text_string(&made);
-  status = command.failed || made.failed ? PO_NO_MEMORY : write_text(line, &t);
+  status = made.failed ? PO_NO_MEMORY : write_text(line, &t);
   po_text_clear(&made);
-  po_text_clear(&command);
   po_particle_law_clear(&law);
   return status;
 }

@@ -324,3 +324,11 @@ def test_output_and_names():
     assert run("contact-law --tabor 2.385 --output no/such/folder.h").code == 4
     repeated = next(line for line in said.splitlines() if line.startswith("made by: pulloff ")).removeprefix("made by: pulloff ")
     assert expect(0, "", repeated).out == shown
+
+
+@pytest.mark.parametrize("bodies", ["--modulus-pa 2e9 --radius-m 1e-7", "--young-pa 3e9,6e9 --poisson 0.3,0.4 --radius-m 1e-7,3e-7"])
+def test_the_command_in_si_units_repeats_the_law(bodies):
+    shown = expect(0, "", f"contact-law --from-physical {bodies} --work-j-per-m2 0.05 --distance-m 3e-10 --error 1e-3 --format csv").out
+    repeated = next(line for line in shown.splitlines() if line.startswith("# made by: pulloff ")).removeprefix("# made by: pulloff ")
+    assert bodies.split()[0] in repeated
+    assert expect(0, "", repeated).out == shown

@@ -169,10 +169,10 @@ typedef enum {
   UNLOCATED, /* a special point between the ends was not located */
   REASONS
 } refusal;
-_Static_assert(REASONS == PO_REFUSALS, "po_continuation counts them");
+_Static_assert((int)REASONS == (int)PO_REFUSALS, "po_continuation counts them");
 
 /* Attempts are counted since the last step longer than this. */
-static const double SHORT = 1e-3;
+static const double LONG_STEP = 1e-3;
 
 static const char *const REFUSALS[REASONS] = {
     [UNSOLVED] = "no equilibrium was found",
@@ -397,7 +397,7 @@ po_status po_continuation_advance(po_continuation *t) {
       return t->c.trouble;
     if (!a.met && !settled)
       settled = settle(t, a.step);
-    if (!status && a.step > SHORT)
+    if (!status && a.step > LONG_STEP)
       memset(t->refused, 0, sizeof t->refused);
     if (!status)
       return PO_OK;

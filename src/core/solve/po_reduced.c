@@ -37,10 +37,12 @@ static const double ENOUGH = 0.5;
  * relative to the tolerance times the pull-off force; of the approach, to a^2/R at pull-off. */
 static const double MOST_OF_POINT = 10.0, CLOSE = 1e-3;
 
-/* The load at a jump changes with the range at least as its power 1/7, as the jump of a smooth
- * sphere into contact does: over the ranges that are solved, of ratio 5.7, it then changes by a
- * third of what is left. */
-static const double AGAIN = 4.0;
+/* A crest of radius R jumps into contact from the gap D at which the attraction w eps^2/D^3 on the
+ * area R D deflects the surface by about D: D^(7/2) = w eps^2 sqrt(R)/E*, so that D, and with it
+ * approach and load, change with the power 4/7 of the range. Over the ranges that are solved, of
+ * ratio 5.7, they change by 1.7 times what is left. (Smooth spheres of Tabor parameters 100 to
+ * 10,000 have the power 0.56, a second crest on gelatin 0.54.) AGAIN is 2.5 times what is left. */
+static const double AGAIN = 1.5;
 
 /* Terms of F(s), found from as many solves; one solve more for the error; how many solves in a row
  * may fail; and how many more are made if it is not known on which stretch loading is reversed. */
@@ -319,10 +321,10 @@ static void to_limit(solves *s, const po_request *request) {
 /* -- Where loading jumps -- */
 
 /* A smaller range lets loading jump later: the crest of a wave is attracted from less far away. The
- * place of such a jump changes with a low power of the range, so that its limit is not known; by
- * how much it changes is. Where loading might reach the preload before a jump at the true range,
- * and did not at a greater one, it would be reversed on another stretch of the branch, and another
- * pull-off would follow. */
+ * place of such a jump changes with the power 4/7 of the range, so that its limit is not known by
+ * the expansion above; by how much it changes is. Where loading might reach the preload before a
+ * jump at the true range, and did not at a greater one, it would be reversed on another stretch of
+ * the branch, and another pull-off would follow. */
 
 /* The jumps of loading before the preload, the last one first: the greatest load since the jump
  * before, pi w R, and the approach, eps. */
