@@ -65,6 +65,17 @@ check 'a point that is left out says why' [ "$(value run/solvers/part/judged/rec
   "r['points'][2]['status'], r['points'][2]['reason'], r['points'][2]['failed']")" = \
   'unsupported not asked: tabor is 2: outside the values that the manifest declares False' ]
 
+# A solver of elastic bodies is not asked about a viscoelastic one.
+cat >creeps.yaml <<END
+name: creeps
+title: A viscoelastic sphere
+suites: [own]
+scene: {tabor: 1, radius: 100, outer_radius: inf, scheme: panel, preload: 3, viscoelastic: 'sls:0.2', unload_speed: 1}
+want: [pull_off]
+END
+"$program" verify creeps.yaml --solver good.yaml --output run >"$work/stdout" 2>"$work/stderr"
+printed 'is not asked: viscoelastic is sls:0.2: the manifest does not declare this key$'
+
 # Several solvers at once, one of them this program.
 go 1 verify judged.yaml --solver good.yaml --solver pulloff --output run --points 0-3
 printed '^good:judged .*coverage 4/8 points, 8/32 checks'

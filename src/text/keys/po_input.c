@@ -324,7 +324,8 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
 }
 
 bool po_key_is_of_scene(po_key key) {
-  return PO_KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group(key);
+  return (PO_KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group(key)) ||
+         key == PO_KEY_VISCOELASTIC || key == PO_KEY_UNLOAD_SPEED;
 }
 
 bool po_input_has_coupling(const po_request *request) {

@@ -135,8 +135,9 @@ bool po_input_has_coupling(const po_request *request);
  * length of reference R is epsilon. */
 const char *po_input_load_unit(const po_request *request);
 
-/* Returned: whether a key describes what is pressed. The others describe the mesh, the part of the
- * branch that is traced, and the time limit. */
+/* Returned: whether a key describes what is pressed, and how fast a viscoelastic body is pulled: an
+ * external solver has to know it. The others describe the mesh, the part of the branch that is
+ * traced, and the time limit. */
 bool po_key_is_of_scene(po_key key);
 
 /* Appends " --wave A,L" for each wave of a text "A@L;A@L". */
