@@ -27,7 +27,7 @@ _pulloff() {
   local words='' action=() option
   case $COMP_CWORD:$before in
   1:*) words="$(_pulloff_names "$program") --help --version" ;;
-  *:--output | *:--run) [ "$verb" = contact-law ] && action=(-f) || action=(-d) ;;
+  *:--output | *:--run) case $verb in contact-law | profile) action=(-f) ;; *) action=(-d) ;; esac ;;
   *:--curve | *:--profile-csv | *:--profile-file | *:--staircase | *:--loop | *:--summary | *:--plot | *:--junit)
     action=(-f)
     ;;

@@ -11,7 +11,8 @@
 enum { ORDER = 4 };
 typedef double band[ORDER]; /* the diagonal, and what is 1, 2 and 3 beside it */
 
-/* First number of knots, and part of the parameters above which there are twice as many. */
+/* First number of knots, and part of the parameters above which there are twice as many; also if
+ * less than that is used because the knots are too far apart for the curve (removes_shape). */
 enum { FIRST_KNOTS = 16 };
 static const double MOST_USED = 0.25;
 
@@ -279,6 +280,36 @@ static po_status take(const problem *p, const fit *best, po_smoothing *s) {
   return PO_OK;
 }
 
+/* The fourth divided difference of five successive points, in units of its standard deviation by
+ * independent noise of deviation 1. */
+static double fourth_difference(const double *x, const double *y) {
+  double sum = 0.0, squares = 0.0;
+  const double unit = 0.25 * (x[4] - x[0]);
+  for (int j = 0; j < 5; ++j) {
+    double weight = 1.0;
+    for (int k = 0; k < 5; ++k)
+      weight *= k == j ? 1.0 : unit / (x[j] - x[k]);
+    sum += weight * y[j];
+    squares += weight * weight;
+  }
+  return sum / sqrt(squares);
+}
+
+/* Whether more is removed than noise: the variance of the removed part is this many times that of
+ * the fourth differences, to which a curve that the points resolve contributes little. */
+static const double MORE_THAN_NOISE = 2.0;
+
+static bool removes_shape(const problem *p, const fit *best) {
+  const size_t differences = p->points - 4;
+  double squares = 0.0;
+  for (size_t i = 0; i < differences; ++i) {
+    const double difference = fourth_difference(p->x + i, p->y + i);
+    squares += difference * difference;
+  }
+  return best->squares / ((double)p->points - best->parameters) >
+         MORE_THAN_NOISE * squares / (double)differences;
+}
+
 po_status po_smoothing_make(size_t points, const double *x, const double *y, double deviation,
                             po_smoothing *s) {
   *s = (po_smoothing){0};
@@ -291,7 +322,8 @@ po_status po_smoothing_make(size_t points, const double *x, const double *y, dou
     bool more = false;
     if (!status) {
       const fit best = fit_best(&p);
-      more = best.parameters > MOST_USED * (double)p.size && knots < most;
+      more = knots < most && (best.parameters > MOST_USED * (double)p.size ||
+                              (isnan(deviation) && removes_shape(&p, &best)));
       status = more ? PO_OK : take(&p, &best, s);
     }
     po_arena_free(&p.work);

@@ -9,9 +9,9 @@
  * has one standard deviation. An estimate of the expected square of the error has its minimum at a
  * roughness 64 times as large: Mallows' C_p if the deviation is known, otherwise generalised
  * cross-validation, with a parameter counted as 1.4; sharp parts are worn off by that one. There
- * are 16 knots, or twice as many until the spline uses less than a quarter of its parameters, at
- * most one for every other point: then the knots do not decide anything. Every sum is a loop in a
- * fixed order, so that the spline is the same on every machine. Source: C. H. Reinsch, Numer. Math.
+ * are 16 knots, or twice as many until the spline uses less than a quarter of its parameters and,
+ * if the noise is estimated, removes no more than noise; at most one for every other point: then the
+ * knots do not decide anything. Every sum is a loop in a fixed order, so that the spline is the same on every machine. Source: C. H. Reinsch, Numer. Math.
  * 10 (1967) 177; P. Craven, G. Wahba, Numer. Math. 31 (1979) 377; C. L. Mallows, Technometrics 15
  * (1973) 661; P. H. C. Eilers, B. D. Marx, Stat. Sci. 11 (1996) 89. */
 #ifndef PO_SMOOTHING_H

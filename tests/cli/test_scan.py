@@ -1,0 +1,147 @@
+"""Line scans: axis, tilt, noise and gaps of bodies that are known, at random; the forms in which instruments write; the force of the
+mean and of the sides; what is refused."""
+
+import csv
+import math
+import random
+
+import pytest
+from conftest import expect, run
+
+WAVES = 0.04, 4.3  # um
+
+
+def gap(r, radius, wavy=True):
+    """A paraboloid with a wave, um."""
+    return r * r / (2 * radius) + (WAVES[0] * (1 - math.cos(2 * math.pi * r / WAVES[1])) if wavy else 0)
+
+
+def scan(seed, wavy=True, tilt=None, noise=None, rows=None):
+    """Positions in um and heights in nm of a body, and what they were made of."""
+    of = random.Random(seed)
+    body = {"radius": of.uniform(15, 60), "axis": of.uniform(-1.5, 1.5), "tilt": of.uniform(-0.01, 0.01) if tilt is None else tilt,
+            "noise": of.uniform(0.05, 1) if noise is None else noise}
+    count = rows or of.randrange(300, 900)
+    left, right = of.uniform(-24, -16), of.uniform(16, 24)
+    x = [round(left + k * round((right - left) / count, 4), 4) for k in range(count)]
+    z = [321 + 1e3 * (body["tilt"] * (at - body["axis"]) - gap(at - body["axis"], body["radius"], wavy)) + of.gauss(0, body["noise"])
+         for at in x]
+    return x, z, body
+
+
+def write(path, x, z, head="x_um,z_nm", separator=",", comma=False, encoding="utf-8", before=""):
+    rows = [f"{a:.6f}{separator}{b:.6f}" for a, b in zip(x, z)]
+    text = "\n".join([head] + [row.replace(".", ",") if comma else row for row in rows]) + "\n"
+    path.write_bytes((before + text).encode(encoding))
+    return path
+
+
+def table(path):
+    with open(path, encoding="utf-8") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    return rows[0], [tuple(map(float, row)) for row in rows[1:]]
+
+
+def numbers(out, line, *words):
+    """The numbers after words of a line."""
+    text = next(part for part in out.splitlines() if part.startswith(line))
+    return [float(text.split(word)[1].split()[0].rstrip(",;:")) for word in words]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_known_body(tmp_path, seed):
+    x, z, body = scan(seed)
+    out = expect(0, "", f"profile {write(tmp_path / 's.csv', x, z)} --output {tmp_path / 't.csv'}").out
+    spacing = x[1] - x[0]
+    assert numbers(out, "apex", "= ")[0] == pytest.approx(body["axis"], abs=0.26 * spacing + 0.05 * body["noise"])
+    assert "removed: the sides do not tell one" in out or numbers(out, "tilt", "tilt ")[0] == pytest.approx(
+        body["tilt"], abs=2e-4 + spacing / 4 / body["radius"] + 2e-3 * body["noise"])
+    assert numbers(out, "noise", "height ")[0] == pytest.approx(body["noise"], rel=0.2)
+    names, rows = table(tmp_path / "t.csv")
+    assert names == ["r_um", "gap_nm"] and rows[0] == (0, 0)
+    off = [g - 1e3 * gap(r, body["radius"]) for r, g in rows[1:]]
+    mean = sum(off) / len(off)  # the noise on the axis, which the smoothing takes away
+    spread = math.sqrt(sum((o - mean) ** 2 for o in off) / len(off))
+    displaced = 1e3 * WAVES[0] * (math.pi * spacing / 2 / WAVES[1]) ** 2  # by the axis among the rows
+    assert spread < 1.25 * body["noise"] / math.sqrt(2) + displaced
+    assert abs(mean) < 5 * body["noise"] + displaced
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_tilt_of_a_parabola_is_not_told(tmp_path, seed):
+    x, z, body = scan(seed, wavy=False, tilt=0.005)
+    out = expect(0, "", f"profile {write(tmp_path / 's.csv', x, z)} --output {tmp_path / 't.csv'}").out
+    assert "tilt     none removed: the sides do not tell one" in out
+    assert numbers(out, "apex", "= ")[0] == pytest.approx(body["axis"] + 0.005 * body["radius"], abs=0.1)
+    assert numbers(out, "parabola", "radius ")[0] == pytest.approx(body["radius"], rel=2e-3)
+
+
+def test_forms_give_one_table(tmp_path):
+    """Separators, decimal commas, encodings, units, order of the rows and the direction of heights change nothing."""
+    x, z, _ = scan(3, noise=0.3, rows=400)
+    low = [-height for height in z]
+    forms = [write(tmp_path / "0.csv", x, z),
+             write(tmp_path / "1.csv", x, z, "Position [µm];Höhe [nm]", ";", True, "utf-16", "Messung vom 3.4.2026\nGerät: X\n"),
+             write(tmp_path / "2.csv", x[::-1], z[::-1], "x (um)\tz (nm)", "\t"),
+             write(tmp_path / "3.csv", x, low, "x/μm  depth/nm", "  ")]
+    made = []
+    for form in forms:
+        expect(0, "", f"profile {form} --output {tmp_path / 't.csv'}")
+        made.append(table(tmp_path / "t.csv"))
+    assert all(other == made[0] for other in made[1:])
+    metres = write(tmp_path / "m.csv", x, [height * 1e-3 for height in z], "lateral,height")
+    expect(0, "", f"profile {metres} --units um,um --output {tmp_path / 't.csv'}")
+    names, rows = table(tmp_path / "t.csv")
+    assert names == ["r_um", "gap_um"]
+    assert all(a[0] == b[0] and a[1] == pytest.approx(1e3 * b[1], abs=2e-3) for a, b in zip(made[0][1], rows))
+
+
+def test_rows_that_are_not_heights_or_equidistant(tmp_path):
+    x, z, body = scan(5, noise=0.1, rows=700)
+    keep = [k for k in range(len(x)) if k % 3 or k % 5]
+    path = write(tmp_path / "s.csv", [x[k] for k in keep], [z[k] for k in keep])
+    path.write_text(path.read_text().replace("\n", "\n1.23456,nan\n2.3456,BAD\n", 1))
+    out = expect(0, "", f"profile {path} --output {tmp_path / 't.csv'}").out
+    assert "2 rows without a height are left out" in out and "joined by a spline" in out
+    assert numbers(out, "apex", "= ")[0] == pytest.approx(body["axis"], abs=0.05)
+
+
+def test_force_of_mean_and_sides(tmp_path):
+    """That of the body, and of bodies with the curvatures of the sides."""
+    x, z, _ = scan(7, wavy=False, tilt=0.0, noise=0.05, rows=500)
+    scene = "--from-physical --modulus-pa 3e9 --work-j-per-m2 0.05 --distance-m 1e-9"
+    axis = 0.37
+    heights = [-1e3 * (at - axis) ** 2 / 2 / (20 if at > axis else 25) + 0.05 * random.Random(k).gauss(0, 1) for k, at in enumerate(x)]
+    out = expect(0, "", f"profile {write(tmp_path / 's.csv', x, heights)} --output {tmp_path / 't.csv'} {scene}").out
+    mean, = numbers(out, "force", "force ")
+    left, right, apart = numbers(out, "         of the left", "left side alone ", "right side alone ", "uncertain by ")
+    for force, radius in ((mean, 2 / (1 / 20e-6 + 1 / 25e-6)), (left, 25e-6), (right, 20e-6)):
+        smooth = expect(0, "", f"solve {scene} --radius-m {radius:.9g} --json").json["physical"]["pull_off"]["force_n"]
+        assert force * 1e-6 == pytest.approx(smooth, rel=0.02)
+    assert apart == pytest.approx(abs(left - right) / 2, rel=0.05)
+    assert (tmp_path / "t.left.csv").exists() and (tmp_path / "t.right.csv").exists()
+
+
+@pytest.mark.parametrize("message, words", [
+    ("pulloff: no scan is named: expected the name of a file", "profile"),
+    ("*there is no column foo: expected one of the 2", "profile s.csv --columns x_um,foo"),
+    ("*columns is x: expected two names or numbers, X,Z", "profile s.csv --columns x"),
+    ("*units is um,kg: expected two of m, mm, um, nm or pm with a comma between", "profile s.csv --units um,kg"),
+    ("pulloff: end is 99: expected a radius up to *", "profile s.csv --end 99"),
+    ("*the lowest point is at x = *, the end of the scan: *", "profile s.csv --apex lowest"),
+    ("*apex is top: expected highest or lowest*", "profile s.csv --apex top"),
+    ("*side is middle: expected both, left or right*", "profile s.csv --side middle"),
+    ("pulloff: a force needs --output, the file of the table", "profile s.csv --coupling 1"),
+    ("pulloff: --side is left: a force is computed of both", "profile s.csv --side left --output t.csv --coupling 1"),
+    ("*one has a unit at the end of its name: expected *", "profile half.csv"),
+    ("*12 rows with a height are too few: expected at least 32", "profile few.csv"),
+])
+def test_messages(tmp_path, monkeypatch, message, words):
+    monkeypatch.chdir(tmp_path)
+    x, z, _ = scan(1)
+    write(tmp_path / "s.csv", x, z)
+    write(tmp_path / "half.csv", x, z, "x_um,height")
+    write(tmp_path / "few.csv", x[:12], z[:12])
+    done = run(words)
+    assert done.code in (2, 4) and done.out == ""
+    expect(done.code, message, words)
