@@ -1,13 +1,7 @@
-#include <errno.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_options.h"
+#include "po_python.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -31,11 +25,6 @@ static const po_option OPTIONS[] = {PO_TEXT("run", report_line, run, "the name o
                                     PO_FLAG("fresh", report_line, fresh),
                                     {0}};
 
-static const char *python(void) {
-  const char *chosen = getenv("PULLOFF_PYTHON");
-  return chosen && *chosen ? chosen : PULLOFF_PYTHON;
-}
-
 static po_status check_means(const char *script, const char *run) {
   if (!po_path_exists(script))
     return po_fail(PO_CANNOT_READ,
@@ -44,36 +33,26 @@ static po_status check_means(const char *script, const char *run) {
     return po_fail(PO_CANNOT_READ,
                    "%s does not exist: expected the records of a run (see pulloff run --help)",
                    run);
-  if (!*po_program_find(python()).text)
+  if (!*po_program_find(po_python()).text)
     return po_fail(PO_MISSING_TOOL, "%s was not found: expected Python, which writes the report",
-                   python());
+                   po_python());
   if (!*po_program_find("gnuplot").text)
     return po_fail(PO_MISSING_TOOL,
                    "gnuplot was not found: expected it in PATH, to draw the figures");
   return PO_OK;
 }
 
-/* Runs the script and waits for it. Its messages go to our standard error. Returned: its exit code.
- */
+/* Runs the script. Returned: its exit code. */
 static int run_script(const char *script, const report_line *line) {
-  fflush(stdout);
-  const pid_t child = fork();
-  int ending = 0;
-  if (child == 0)
-    execlp(python(), python(), script, "--run", line->run, "--output", line->output,
-           line->fresh ? "--fresh" : (char *)NULL, (char *)NULL);
-  if (child <= 0) { /* there is no process, or it has not become Python */
-    po_fail(PO_MISSING_TOOL, "%s cannot be started: %s", python(), strerror(errno));
-    const int code = po_options_end(PO_MISSING_TOOL);
-    if (child == 0)
-      _exit(code);
-    return code;
-  }
-  while (waitpid(child, &ending, 0) < 0 && errno == EINTR)
-    continue;
-  if (WIFSIGNALED(ending))
-    return 128 + WTERMSIG(ending);
-  return WEXITSTATUS(ending);
+  char *const argv[] = {(char *)po_python(),
+                        (char *)script,
+                        "--run",
+                        (char *)line->run,
+                        "--output",
+                        (char *)line->output,
+                        line->fresh ? "--fresh" : NULL,
+                        NULL};
+  return po_python_run(argv);
 }
 
 int po_verb_report(int argc, char **argv) {

@@ -16,8 +16,8 @@ static const struct {
 } VERBS[] = {PO_VERBS(VERB)};
 
 #define VERB_NAMES                                                                                 \
-  "solve, compare, follow, theory, contact-law, profile, plot, list, plan, run, merge, verify, "   \
-  "explain, bless, conform, seal or report"
+  "solve, compare, follow, theory, contact-law, profile, fit, plot, list, plan, run, merge, "      \
+  "verify, explain, bless, conform, seal or report"
 
 /* The name of a verb as it is written, with dashes. */
 enum { NAME_LENGTH = 16 };

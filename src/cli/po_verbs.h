@@ -15,6 +15,7 @@ int po_verbs_run(int argc, char **argv);
   X(theory, "evaluate a closed form, of the paper or of any profile") \
   X(contact_law, "write the law of contact of two particles for other programs") \
   X(profile, "make the profile of a body of a line scan across its apex") \
+  X(fit, "fit work of adhesion, range and modulus to a measured force curve") \
   X(plot, "plot one scene or the pull-off forces of a case") \
   X(list, "list the cases or the reference tables") \
   X(plan, "print what would be computed for a case, and why") \

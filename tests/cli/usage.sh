@@ -4,14 +4,14 @@
 # shellcheck disable=SC1091,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 
-expect 2 'pulloff: no verb is given: expected solve, compare, follow, theory, contact-law, profile, plot, list, plan, run, merge, verify, explain, *'
-expect 2 'pulloff: unknown verb dance: expected solve, compare, follow, theory, contact-law, profile, plot, list, *' dance
+expect 2 'pulloff: no verb is given: expected solve, compare, follow, theory, contact-law, profile, fit, plot, list, plan, run, merge, verify, explain, *'
+expect 2 'pulloff: unknown verb dance: expected solve, compare, follow, theory, contact-law, profile, fit, plot, list, *' dance
 expect 0 '' --version
 expect 0 '' --help
 cp "$work/stdout" "$work/help"
 expect 0 '' -h
 check '-h prints the same help' cmp -s "$work/stdout" "$work/help"
-for verb in solve compare follow theory contact-law profile plot list plan run merge verify explain bless conform seal report; do
+for verb in solve compare follow theory contact-law profile fit plot list plan run merge verify explain bless conform seal report; do
   expect 0 '' "$verb" -h
   cp "$work/stdout" "$work/help"
   expect 0 '' "$verb" --help

@@ -1,0 +1,488 @@
+"""A measured force curve of a sphere on a flat: work of adhesion w, range eps of the attraction, modulus E*, and the zeros of the
+instrument, with standard errors; beside it what JKR, DMT and Maugis-Dugdale make of the same data.
+
+    python3 -m pulloff.fit CURVE.csv --radius-m R [--stiffness-n-per-m K] ...       (or: pulloff fit CURVE.csv ...)
+
+The model is the full traction-separation law, through the cantilever: both stable parts of the branch, apart and in contact, and the
+two jumps between them. The unknowns are ln w, ln eps, ln of the Tabor parameter, and the zeros of position and force; E* follows. No
+start is needed: for a series of Tabor parameters the others are found first, each by a search over the scale of lengths. Lengths are in
+nm and forces in nN here: 1 J/m2 = 1 nN/nm, 1 GPa = 1 nN/nm2. scipy is needed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import functools
+import json
+import pathlib
+import sys
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+from scipy.optimize import least_squares
+
+import pulloff
+
+TABORS = np.geomspace(0.05, 200, 13)  # at which a start is sought
+TOLERANCE = 1e-5                       # of the branches
+BESIDE = 3                             # samples next to a jump that are left out: the lever takes some to come to rest
+CLEAR_JUMP = 8                         # noise of a step that is taken for a jump
+LEAST_NOISE = 1e-4                     # relative to the depth of the curve: the noise of a computed one
+SIGNIFICANT = 10                       # sum of squares by which a model has to be better
+BAD_FIT = 4                            # chi2/n of a model that does not describe the data
+UNKNOWN = 0.5                          # standard error of a logarithm above which the number is not known from the data
+LARGE_CONTACT = 0.3                    # contact radius over R, beyond which a paraboloid is no sphere
+
+
+class NoFit(RuntimeError):
+    """The data do not give a fit; the message says why."""
+
+
+# -- The data --
+
+@dataclasses.dataclass
+class Curve:
+    """Positions of the base, nm, growing towards the sample, and forces, nN, positive if they push the bodies apart."""
+    into: tuple[np.ndarray, np.ndarray]
+    out: tuple[np.ndarray, np.ndarray]
+    notes: list[str] = dataclasses.field(default_factory=list)
+
+    @functools.cached_property
+    def noise(self):
+        """Standard deviation of a force, by second differences of the halves of both ways that are far from the sample, without the
+        outliers among them: a jump is one."""
+        second = np.concatenate([np.diff(force[:max(8, len(force) // 2)], 2) for _, force in (self.into, self.out)])
+        typical = 1.4826 * np.median(np.abs(second))
+        least = LEAST_NOISE * (np.median(self.into[1]) - min(self.into[1].min(), self.out[1].min()))
+        return max(np.sqrt(np.mean(second[np.abs(second) <= 4 * typical]**2) / 6), least)
+
+    @functools.cached_property
+    def spacing(self):
+        return np.median(np.abs(np.diff(self.into[0])))
+
+    @functools.cached_property
+    def zero(self):
+        return np.median(self.into[1][:max(8, len(self.into[1]) // 8)])
+
+    @functools.cached_property
+    def greatest(self):
+        return float(max(self.into[1].max(), self.out[1].max()) - self.zero)
+
+    def jumps(self):
+        """Indices of the last samples before the jumps into contact and out of it; None without a clear one."""
+        found = []
+        for _, force in (self.into, self.out):
+            steps = force[:-2] - force[2:]  # over two samples
+            k = int(np.argmax(steps))
+            found.append(k + (force[k] - force[k + 1] < force[k + 1] - force[k + 2]) if steps[k] > CLEAR_JUMP * self.noise else None)
+        return found
+
+
+def turned(position, force):
+    """A way in or out with positions that grow towards the sample."""
+    order = np.argsort(position, kind="stable")
+    return position[order], force[order]
+
+
+def curve_of(position, force, position_out, force_out, stiffness=np.inf) -> Curve:
+    """A curve of what was measured: zero and direction of the position and sign of the force are found. `stiffness` of the lever,
+    nN/nm, only serves to say what was found."""
+    into, out, notes = turned(position, force), turned(position_out, force_out), []
+    def slopes(way):
+        n = max(4, len(way[0]) // 10)
+        return [abs(np.polyfit(way[0][part] - way[0][part].mean(), way[1][part], 1)[0]) for part in (slice(n), slice(-n, None))]
+    far, near = slopes(into)
+    if far > near:
+        into, out = turned(-into[0], into[1]), turned(-out[0], out[1])
+        notes.append("positions are turned, so that they grow towards the sample")
+    if into[1][-1] < np.median(into[1][:max(4, len(into[1]) // 10)]):
+        into, out = (into[0], -into[1]), (out[0], -out[1])
+        notes.append("forces are turned, so that they are positive when they push the bodies apart")
+    return Curve(into, out, notes)
+
+
+# -- The model --
+
+@functools.lru_cache(maxsize=256)
+def branch(tabor, load, tolerance=TOLERANCE):
+    """Approach, eps, load, pi w R, and contact radius, eps, along the branch up to a load."""
+    curve = pulloff.solve(tabor=tabor, want="curve", approach_start=-(60 + 2 * tabor), preload_load=load, tolerance=tolerance).curve
+    at = curve["position"]
+    dense = np.interp(np.linspace(0, len(at) - 1, 12 * len(at)), np.arange(len(at)), at)
+    parts = [CubicHermiteSpline(at, curve[name], curve[name + "_rate"])(dense) for name in ("approach", "load")]
+    return *parts, np.interp(dense, at, curve["contact_radius"])
+
+
+def theory_branch(model, tabor, load):
+    """The same of a theory of the paraboloid, in the units of Maugis (J. Colloid Interface Sci. 150 (1992) 243), the contact radius a
+    and lambda; without the part apart, in which these theories have no force."""
+    deep = tabor * (9 * np.pi**2 / 16) ** (1 / 3)
+    last = 1.2 * (load + 2) ** (1 / 3) + 1
+    a = np.linspace(0.01, last, 1200)
+    if model == "JKR":
+        return deep * (a**2 - 2 / 3 * np.sqrt(6 * a)), a**3 - np.sqrt(6 * a**3)
+    if model == "DMT":
+        return deep * a**2, a**3 - 2
+    m = 1 + np.geomspace(1e3, 1e-6, 2400)
+    tension = 1.0264004785593346 * 2 * (9 / (16 * np.pi)) ** (1 / 3) * tabor
+    root, angle = np.sqrt(m**2 - 1), np.arccos(1 / m)
+    p, q = tension / 2 * (root + (m**2 - 2) * angle), 4 / 3 * tension**2 * (root * angle - m + 1)
+    a = (np.sqrt(q**2 + 4 * p) - q) / (2 * p)  # p a^2 + q a = 1
+    keep = a < last
+    return (deep * (a**2 - 4 / 3 * tension * a * root))[keep], (a**3 - tension * a**2 * (root + m**2 * angle))[keep]
+
+
+@dataclasses.dataclass
+class Model:
+    """How a curve follows from the values w, eps, E*, z0, f0 (nN/nm, nm, nN/nm2, nm, nN)."""
+    radius: float
+    stiffness: float  # of the lever; inf: force against approach
+    greatest: float   # force of the data, nN
+    name: str = "solver"
+    tolerance: float = TOLERANCE
+
+    def load(self, work):
+        """A load, pi w R, beyond all data: one of a few values, so that branches are used again."""
+        return 2.0 ** np.ceil(np.log2(max(1.3 * self.greatest / (np.pi * work * self.radius), 0.25)))
+
+    def states(self, tabor, work, eps):
+        """Positions of the base and forces along the branch."""
+        load = self.load(work)
+        of = branch(tabor, load, self.tolerance) if self.name == "solver" else theory_branch(self.name, tabor, load)
+        force = np.pi * work * self.radius * of[1]
+        return eps * of[0] + force / self.stiffness, force
+
+    def parts(self, tabor, values):
+        """The stable parts, apart and in contact, between which the base makes the contact jump."""
+        work, eps, _, z0, f0 = values
+        position, force = self.states(tabor, work, eps)
+        falls = np.flatnonzero(np.diff(position) < 0)
+        jump_in, jump_out = (falls[0], falls[-1] + 1) if len(falls) else (0, 0)
+        return [(position[part] + z0, force[part] + f0) for part in (slice(jump_in + 1), slice(jump_out, None))]
+
+
+def split(curve: Curve):
+    """The samples apart and in contact, and the positions of the jumps in the data, nan without one."""
+    (zi, fi), (zo, fo), (jump_in, jump_out) = curve.into, curve.out, curve.jumps()
+    first, last = (0, 0) if jump_in is None else (max(jump_in - BESIDE, 0), jump_in + 2)
+    below, above = (0, 0) if jump_out is None else (max(jump_out - BESIDE, 0), jump_out + 2 + BESIDE)
+    if jump_in is not None and jump_out is None:
+        below, above = first, last
+    far = np.r_[zi[:first], zo[:below]], np.r_[fi[:first], fo[:below]]
+    near = np.r_[zi[last:], zo[above:]], np.r_[fi[last:], fo[above:]]
+    at = [np.nan if k is None else way[0][k:k + 2].mean() for k, way in ((jump_in, curve.into), (jump_out, curve.out))]
+    return far, near, np.array(at)
+
+
+def residuals(model: Model, tabor, values, curve: Curve, data, contact_only=False):
+    """Over their standard deviations, of the samples apart, of those in contact, of the two jumps."""
+    (far, near, jumps), (apart, contact) = data, model.parts(tabor, values)
+    by_jump = (np.array([apart[0][-1], contact[0][0]]) - jumps) / (curve.spacing / np.sqrt(12))
+    by_jump = by_jump[~np.isnan(jumps)] if not contact_only else by_jump[1:][~np.isnan(jumps[1:])]
+    of = [(np.interp(near[0], *contact) - near[1]) / curve.noise, by_jump]
+    return np.concatenate(of if contact_only else [(np.interp(far[0], *apart) - far[1]) / curve.noise, *of])
+
+
+# -- The fit --
+
+@dataclasses.dataclass
+class Fit:
+    """What was found: values w, eps, E*, z0, f0 in nN/nm, nm, nN/nm2, nm, nN; their covariance, that of the logarithms for the first
+    three; the sum of squares over their number, and that of the part in contact."""
+    model: str
+    tabor: float
+    values: np.ndarray
+    covariance: np.ndarray
+    chi2: float
+    chi2_contact: float
+    count: int
+    contact_radius: float = np.nan
+
+    @property
+    def errors(self):
+        """Standard errors of the values, to first order in the logarithms."""
+        spread = np.sqrt(np.diag(self.covariance))
+        return np.where(np.arange(5) < 3, self.values * spread, spread)
+
+
+def modulus_of(model, tabor, work, eps):
+    return np.sqrt(model.radius * work**2 / (tabor * eps) ** 3)
+
+
+def values_of(model, x):
+    """From ln w, ln eps, ln mu, z0, f0."""
+    work, eps, tabor = np.exp(x[:3])
+    return tabor, np.array([work, eps, modulus_of(model, tabor, work, eps), x[3], x[4]])
+
+
+def search(model, curve, data, tabor, contact_only):
+    """The best start at a Tabor parameter: the work by the least force, the scale of lengths by trial, the zero of the position by the
+    place of the least force."""
+    least = int(np.argmin(curve.out[1]))
+    depth = max(curve.zero - curve.out[1][least], 3 * curve.noise)
+    work = depth / (1.7 * np.pi * model.radius)
+    for _ in range(2):
+        force = model.states(tabor, work, 1.0)[1]
+        work *= depth / -force.min()
+    best = np.inf, None
+    for eps in np.geomspace(1e-3, 1e2, 81):
+        position, force = model.states(tabor, work, eps)
+        falls = np.flatnonzero(np.diff(position) < 0)
+        stable = slice(falls[-1] + 1 if len(falls) else 0, None)
+        z0 = curve.out[0][least] - position[stable][np.argmin(force[stable])]
+        values = np.array([work, eps, modulus_of(model, tabor, work, eps), z0, curve.zero])
+        cost = np.sum(np.minimum(np.abs(residuals(model, tabor, values, curve, data, contact_only)), 100))
+        if cost < best[0]:
+            best = cost, np.array([np.log(work), np.log(eps), np.log(tabor), z0, curve.zero])
+    return best
+
+
+def refine(model, curve, data, start, free, contact_only=False, steps=None):
+    """Least squares over some of the unknowns, in units in which each begins at 1."""
+    unit = np.array([0.1, 0.1, 0.3, max(curve.spacing, 0.1 * np.exp(start[1])), 3 * curve.noise])
+    free = np.array(free)
+
+    def full(u):
+        x = start.copy()
+        x[free] += (u - 1) * unit[free]
+        return x
+
+    def miss(u):
+        tabor, values = values_of(model, full(u))
+        return residuals(model, tabor, values, curve, data, contact_only)
+    low = np.where(free == 2, 1 + (np.log(TABORS[0] / 2) - start[2]) / unit[2], -np.inf)
+    high = np.where(free == 2, 1 + (np.log(TABORS[-1] * 2) - start[2]) / unit[2], np.inf)
+    found = least_squares(miss, np.ones(len(free)), bounds=(low, high), diff_step=0.02, x_scale="jac", max_nfev=steps, xtol=1e-6, ftol=1e-8)
+    return full(found.x), found, unit[free]
+
+
+def covariance_of(found, unit, free):
+    """Of ln w, ln eps, ln E*, z0, f0."""
+    matrix = np.zeros((5, 5))
+    curvature = found.jac.T @ found.jac
+    spread = np.linalg.pinv(curvature, rcond=1e-14, hermitian=True)
+    matrix[np.ix_(free, free)] = spread * np.outer(unit, unit) * 2 * found.cost / max(len(found.fun) - len(free), 1)
+    turn = np.eye(5)
+    turn[2] = [1, -1.5, -1.5, 0, 0]
+    return turn @ matrix @ turn.T
+
+
+def finished(model, curve, data, x, found, unit, free):
+    tabor, values = values_of(model, x)
+    contact = residuals(model, tabor, values, curve, data, True)
+    fit = Fit(model.name, tabor, values, covariance_of(found, unit, free), 2 * found.cost / len(found.fun),
+              float(contact @ contact) / len(contact), len(found.fun))
+    if model.name == "solver":
+        _, load, radius = branch(tabor, model.load(values[0]))
+        fit.contact_radius = values[1] * float(np.interp(model.greatest / (np.pi * values[0] * model.radius), *(
+            (load[np.argmin(load):], radius[np.argmin(load):]))))
+    return fit
+
+
+def fit_curve(curve: Curve, radius: float, stiffness: float = np.inf) -> Fit:
+    """Fits the full law. Given: radius, nm, and stiffness of the lever, nN/nm. Raises NoFit."""
+    model, data = Model(radius, stiffness, curve.greatest), split(curve)
+    if curve.zero - curve.out[1].min() < CLEAR_JUMP * curve.noise:
+        raise NoFit("no attraction above the noise on the way out")
+    if len(data[1][0]) < 8:
+        raise NoFit("fewer than 8 samples in contact")
+    tried = []
+    for tabor in TABORS:
+        cost, start = search(model, curve, data, tabor, False)
+        if start is not None:
+            x, found, _ = refine(model, curve, data, start, [0, 1, 3, 4], steps=12)
+            tried.append((found.cost, x))
+    if not tried:
+        raise NoFit("no start was found")
+    best = None
+    tried.sort(key=lambda pair: pair[0])
+    for _, start in [pair for pair in tried[:2] if pair[0] < 2 * tried[0][0]]:
+        x, found, unit = refine(model, curve, data, start, range(5), steps=40)
+        if best is None or found.cost < best[1].cost:
+            best = x, found, unit
+    return finished(model, curve, data, *best, range(5))
+
+
+def fit_theory(name: str, curve: Curve, radius: float, stiffness: float = np.inf) -> Fit:
+    """Fits JKR, DMT or Maugis, which have no attraction before the contact: to the part in contact and the jump out of it, with the zero of
+    the force from the part apart. Their lengths scale with mu eps alone; JKR and DMT therefore keep mu at 1."""
+    model, data = Model(radius, stiffness, curve.greatest, name), split(curve)
+    best, free = None, [0, 1, 2, 3] if name == "Maugis" else [0, 1, 3]
+    for tabor in (np.geomspace(0.05, 5, 5) if name == "Maugis" else [1.0]):
+        _, start = search(model, curve, data, tabor, True)
+        start[4] = np.median(data[0][1]) if len(data[0][1]) else curve.zero
+        x, found, unit = refine(model, curve, data, start, free, True, steps=60)
+        if best is None or found.cost < best[1].cost:
+            best = x, found, unit
+    return finished(model, curve, data, *best, free)
+
+
+# -- Files and the command --
+
+UNITS = {"m": 1e9, "mm": 1e6, "um": 1e3, "µm": 1e3, "μm": 1e3, "nm": 1.0, "pm": 1e-3, "N": 1e9, "mN": 1e6, "uN": 1e3, "µN": 1e3, "μN": 1e3,
+         "nN": 1.0, "pN": 1e-3}
+
+
+def unit_of(name):
+    """The factor to nm or nN of the unit at the end of the name of a column, and whether it is a force."""
+    word = name.strip().rstrip(")]} ").replace("[", "_").replace("(", "_").replace("/", "_").replace(" ", "_").split("_")[-1]
+    return UNITS.get(word), word.endswith("N")
+
+
+def read_table(path):
+    """Names of the columns and rows of a table: commas, semicolons, tabs or blanks, decimal commas, lines of text before the names."""
+    raw = pathlib.Path(path).read_bytes()
+    text = raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig", errors="replace")
+    lines = [line.strip().lstrip("#").strip() for line in text.splitlines() if line.strip()]
+    separator = max((";", "\t", ","), key=lambda mark: sum(mark in line for line in lines[-20:]))
+    separator = separator if separator in lines[-1] else None
+
+    def cells(line):
+        return [cell.strip().strip('"') for cell in line.split(separator)]
+
+    def number(cell):
+        try:
+            return float(cell.replace(",", ".") if separator != "," else cell)
+        except ValueError:
+            return None
+    count = len(cells(lines[-1]))
+    names, rows = None, []
+    for line in lines:
+        row = cells(line)
+        if len(row) != count:
+            continue
+        values = [number(cell) for cell in row]
+        if all(value is None for value in values):
+            names = names or row
+        elif names:
+            rows.append((row, values))
+    if not names or len(rows) < 20:
+        raise NoFit(f"{path}: expected a line of names and at least 20 rows of {count} cells")
+    return names, rows
+
+
+def read_curve(path, columns: Sequence[str] | None = None, stiffness: float = np.inf) -> Curve:
+    """A curve from a table. Two columns, position and force or deflection, are the way in and then the way out; three, position, in,
+    out, were measured at the same positions; a column `phase` with words such as loading and unloading, approach and retract, tells them apart, as the tables of
+    pulloff solve --loop do. Deflections, in units of length, are multiplied by the stiffness."""
+    names, rows = read_table(path)
+    if columns is None:
+        columns = [name for name in names if unit_of(name)[0]]
+        columns = (["base_nm", "load_nN"] if {"base_nm", "load_nN"} <= set(names) else columns[:3])
+    places = [int(word) - 1 if word.isdigit() else names.index(word) if word in names else None for word in columns]
+    if len(places) not in (2, 3) or None in places:
+        raise NoFit(f"{path}: expected two or three columns with units, of {', '.join(names)}")
+    units = [unit_of(names[place]) for place in places]
+    if any(factor is None for factor, _ in units) or units[0][1]:
+        raise NoFit(f"{path}: expected a unit of length at the end of the name of the position, and of length or force of the others: "
+                    f"{', '.join(names[place] for place in places)}")
+    if any(not force for _, force in units[1:]) and not np.isfinite(stiffness):
+        raise NoFit("a deflection needs the stiffness of the lever")
+    phase = names.index("phase") if "phase" in names else None
+    kept = [(row, values) for row, values in rows if all(values[place] is not None and np.isfinite(values[place]) for place in places)]
+    data = np.array([[values[place] for place in places] for _, values in kept])
+    data *= [factor * (1 if i == 0 or force else stiffness) for i, (factor, force) in enumerate(units)]
+    if len(places) == 3:
+        return curve_of(data[:, 0], data[:, 1], data[:, 0], data[:, 2])
+    if phase is not None:
+        out = np.array([row[phase].lower().startswith(("retr", "unload", "withdr")) for row, _ in kept])
+    else:
+        ends = [abs(data[0, 0] - data[:, 0]), abs(data[-1, 0] - data[:, 0])]
+        turn = int(np.argmax(ends[0] + ends[1]))
+        out = np.arange(len(data)) > turn
+    if out.sum() < 16 or (~out).sum() < 16:
+        raise NoFit(f"{path}: expected a way in and a way out, with at least 16 rows each")
+    return curve_of(data[~out, 0], data[~out, 1], data[out, 0], data[out, 1])
+
+
+NAMES = ["w, J/m2", "range, nm", "E*, GPa", "zero position, nm", "zero force, nN"]
+
+
+def report(curve, full, theories, radius):
+    """Lines of text."""
+    lines = [f"curve       {len(curve.into[0])} samples in and {len(curve.out[0])} out; noise {curve.noise:.3g} nN, spacing {curve.spacing:.3g} nm"]
+    lines += [f"            {note}" for note in curve.notes]
+    jumps = [("no clear jump" if np.isnan(at) else f"{at:.4g} nm") for at in split(curve)[2]]
+    lines.append(f"jumps       into contact {jumps[0]}, out of contact {jumps[1]}")
+    lines.append("model   " + "".join(f"{name:>22}" for name in NAMES) + "  chi2/n  contact")
+    for fit in (full, *theories):
+        theory = fit.model != "solver"
+        known = [True, fit.model != "JKR" and fit.model != "DMT" and np.sqrt(fit.covariance[1, 1]) < UNKNOWN, True, True, not theory]
+        cells = [f"{value:.5g} +- {error:.2g}" if show else "" for value, error, show in zip(fit.values, fit.errors, known)]
+        lines.append(f"{fit.model if theory else 'full law':8}" + "".join(f"{cell:>22}" for cell in cells)
+                     + ("" if theory else f"{fit.chi2:8.3f}").rjust(8) + f"{fit.chi2_contact:9.3f}")
+    lines.append(f"tabor       {full.tabor:.4g}")
+    if np.sqrt(full.covariance[1, 1]) > UNKNOWN:
+        lines.append("range       not known from these data; the other values hardly depend on it")
+    best = min(theories, key=lambda fit: fit.chi2_contact)
+    gain = (best.chi2_contact - full.chi2_contact) * best.count
+    lines.append("preferred   " + ("the full law: no theory fits the part in contact as well" if gain > SIGNIFICANT else
+                                   f"not told by the part in contact, which {best.model} fits as well; a good fit does not make its w right"))
+    if full.chi2 > BAD_FIT:
+        lines.append(f"warning     chi2/n is {full.chi2:.3g}: the full law does not describe these data, and the errors are not to be relied on")
+    if full.contact_radius > LARGE_CONTACT * radius:
+        lines.append(f"warning     the contact radius reaches {full.contact_radius:.4g} nm, {full.contact_radius / radius:.2g} of the radius: the "
+                     "model is a paraboloid, and a sphere differs there")
+    return lines
+
+
+def draw(path, curve, fits, radius, stiffness):
+    """Force against approach: the position of the base less the deflection."""
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(figsize=(6.4, 4), constrained_layout=True)
+    for (z, f), colour, label in zip((curve.into, curve.out), ("tab:blue", "tab:orange"), ("way in", "way out")):
+        axes.plot(z - f / stiffness, f, ".", color=colour, markersize=3, label=label)
+    limits = axes.axis()
+    for fit, style in zip(fits, ("k-", "r--", "g:", "m-.")):
+        for part, label in zip(Model(radius, stiffness, curve.greatest, fit.model).parts(fit.tabor, fit.values),
+                               (None, fit.model.replace("solver", "full law"))):
+            if label or fit.model == "solver":
+                axes.plot(part[0] - part[1] / stiffness, part[1], style, linewidth=1, label=label)
+    axes.axis(limits)
+    axes.set(xlabel="position of the base" + (" less deflection" if np.isfinite(stiffness) else "") + " / nm", ylabel="force / nN")
+    axes.legend(frameon=False)
+    figure.savefig(path, dpi=120)
+
+
+def document(curve, full, theories):
+    keys = ["work_j_per_m2", "distance_m", "modulus_pa", "position_of_contact_m", "zero_of_force_n"]
+    units = [1.0, 1e-9, 1e9, 1e-9, 1e-9]
+
+    def of(fit):
+        names = {"solver": "full_law"}
+        return {"model": names.get(fit.model, fit.model.lower()), "chi2": fit.chi2, "chi2_in_contact": fit.chi2_contact, "tabor": fit.tabor,
+                **{key: value * unit for key, value, unit in zip(keys, fit.values, units)},
+                **{key + "_error": error * unit for key, error, unit in zip(keys, fit.errors, units)}}
+    return {"noise_n": curve.noise * 1e-9, "notes": curve.notes, "fits": [of(fit) for fit in (full, *theories)]}
+
+
+def main(words=None):
+    parser = argparse.ArgumentParser(prog="pulloff fit", description=(__doc__ or "").split("\n\n    python3")[0])
+    parser.add_argument("curve", help="a table of positions and forces or deflections, with units at the end of the names of its columns")
+    parser.add_argument("--radius-m", type=float, required=True, help="radius of the sphere, m")
+    parser.add_argument("--stiffness-n-per-m", type=float, default=np.inf, help="of the cantilever, whose base is at the positions, N/m "
+                        "(default: positions are the approach)")
+    parser.add_argument("--columns", help="names or numbers of position and force, or of position, way in and way out, with commas between")
+    parser.add_argument("--plot", help="draw the fits in this file: .svg, .png or .pdf")
+    parser.add_argument("--json", action="store_true", help="print one JSON document")
+    given = parser.parse_args(words)
+    if not given.radius_m > 0 or not given.stiffness_n_per_m > 0:
+        parser.error("radius and stiffness: expected numbers > 0")
+    radius, stiffness = given.radius_m * 1e9, given.stiffness_n_per_m
+    try:
+        curve = read_curve(given.curve, given.columns and given.columns.split(","), stiffness)
+        full = fit_curve(curve, radius, stiffness)
+    except (NoFit, OSError) as error:
+        print(f"pulloff: {error}", file=sys.stderr)
+        return 4 if isinstance(error, OSError) else 3
+    theories = [fit_theory(name, curve, radius, stiffness) for name in ("JKR", "DMT", "Maugis")]
+    print(json.dumps(document(curve, full, theories), indent=1) if given.json else "\n".join(report(curve, full, theories, radius)))
+    if given.plot:
+        draw(given.plot, curve, (full, *theories), radius, stiffness)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,96 @@
+#include <stdio.h>
+
+#include "po_file.h"
+#include "po_number.h"
+#include "po_options.h"
+#include "po_plot_scene.h"
+#include "po_python.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff fit CURVE --radius-m R [OPTION]...\n"
+    "Finds work of adhesion, range of the attraction, modulus E* and the zeros of the instrument\n"
+    "from a measured force curve of a sphere on a flat, with standard errors, by least squares\n"
+    "with the full law: both stable parts of the branch and the two jumps between them. Finds its\n"
+    "start itself, for stiff and for soft samples. Beside it what JKR, DMT and Maugis-Dugdale "
+    "make\n"
+    "of the part in contact, and whether the data prefer one. Needs Python with NumPy and SciPy.\n"
+    "\n"
+    "CURVE is a table with units at the end of the names of its columns: position and force or\n"
+    "deflection, the way in and then the way out (z_nm,force_nN); or three columns, position, way\n"
+    "in, way out; or a table of pulloff solve --loop. Directions and zeros are found.\n"
+    "\n"
+    "  --radius-m R            radius of the sphere, m\n"
+    "  --stiffness-n-per-m K   stiffness of the cantilever at whose base the position is "
+    "measured,\n"
+    "                          N/m; also turns a deflection into a force (default: the position "
+    "is\n"
+    "                          the approach)\n"
+    "  --columns NAMES         names or numbers of the two or three columns, with commas between\n"
+    "                          (default: the first ones with units)\n"
+    "  --plot FILE             draw curve and fits in FILE, which ends in .svg, .png or .pdf "
+    "(needs\n"
+    "                          matplotlib)\n"
+    "  --json                  print one JSON document and nothing else\n"
+    "  -h, --help              print this text\n"
+    "\n"
+    "Example: pulloff fit curve.csv --radius-m 3e-8 --stiffness-n-per-m 2 --plot fit.svg\n";
+
+typedef struct {
+  double radius, stiffness;
+  const char *columns, *plot;
+  bool json;
+} fit_line;
+
+static const po_option OPTIONS[] = {
+    PO_NUMBER("radius-m", fit_line, radius, 0.0, "a number > 0"),
+    PO_NUMBER("stiffness-n-per-m", fit_line, stiffness, 0.0, "a number > 0"),
+    PO_TEXT("columns", fit_line, columns, "two or three names or numbers"),
+    PO_TAKEN("plot", fit_line, plot, po_plot_take_file),
+    PO_FLAG("json", fit_line, json),
+    {0}};
+
+/* The arguments of the module. */
+enum { MOST_ARGUMENTS = 16 };
+
+static int run(const fit_line *line, char *curve) {
+  char radius[PO_NUMBER_LENGTH], stiffness[PO_NUMBER_LENGTH];
+  char *argv[MOST_ARGUMENTS] = {(char *)po_python(), "-m",  "pulloff.fit", curve,
+                                "--radius-m",        radius};
+  int count = 6;
+  po_number_print(line->radius, radius);
+  po_number_print(line->stiffness, stiffness);
+  if (line->stiffness > 0.0) {
+    argv[count++] = "--stiffness-n-per-m";
+    argv[count++] = stiffness;
+  }
+  if (line->columns) {
+    argv[count++] = "--columns";
+    argv[count++] = (char *)line->columns;
+  }
+  if (line->plot) {
+    argv[count++] = "--plot";
+    argv[count++] = (char *)line->plot;
+  }
+  if (line->json)
+    argv[count++] = "--json";
+  return po_python_run(argv);
+}
+
+int po_verb_fit(int argc, char **argv) {
+  const po_options options = {"fit", HELP, OPTIONS, argc, argv, 1};
+  fit_line line = {0};
+  po_status status = PO_OK;
+  if (!po_options_read(&options, &line, &status))
+    return po_options_end(status);
+  if (!argv[optind])
+    status = po_fail(PO_BAD_INPUT, "no curve is named: expected the name of a file");
+  else if (!(line.radius > 0.0))
+    status = po_fail(PO_BAD_INPUT, "--radius-m is missing: expected the radius of the sphere, m");
+  else if (!po_path_exists(argv[optind]))
+    status = po_fail(PO_CANNOT_READ, "%s does not exist: expected a table", argv[optind]);
+  else if (!*po_program_find(po_python()).text)
+    status = po_fail(PO_MISSING_TOOL, "%s was not found: expected Python, which fits the curve",
+                     po_python());
+  return status ? po_options_end(status) : run(&line, argv[optind]);
+}

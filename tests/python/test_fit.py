@@ -1,0 +1,122 @@
+"""Fits of force curves: values that are known are found without a start, for stiff and for soft samples; what is turned is turned
+back; tables in several forms; what is refused."""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from pulloff import fit
+
+PROGRAM = None
+STIFF = 30.0, 2.0, [0.08, 0.3, 5.0, 4.3, 0.25]      # radius, nm; stiffness, nN/nm; w, range, E*, zeros
+SOFT = 45.0, np.inf, [0.05, 1.0, 1.58e-3, 104.0, -0.2]  # mu = 36
+
+
+def parts_of(case, greatest):
+    radius, stiffness, values = case
+    work, eps, modulus = values[:3]
+    tabor = (radius * work**2 / (modulus**2 * eps**3)) ** (1 / 3)
+    return fit.Model(radius, stiffness, greatest, tolerance=1e-8).parts(tabor, np.array(values))
+
+
+def measured(case, noise, spacing, farthest, greatest, seed=1):
+    """Positions, and forces of both ways."""
+    apart, contact = parts_of(case, greatest)
+    random = np.random.default_rng(seed)
+    z = np.arange(farthest, np.interp(greatest, contact[1], contact[0]), spacing) + spacing * random.random()
+    ways = [np.where(z <= apart[0][-1], np.interp(z, *apart), np.interp(z, *contact)),
+            np.where(z >= contact[0][0], np.interp(z, *contact), np.interp(z, *apart))]
+    return z, *(way + noise * random.standard_normal(len(z)) for way in ways)
+
+
+def write(path, z, into, out, head="z_nm,force_nN", form="{:.6f},{:.8f}"):
+    rows = [form.format(*row) for row in (*zip(z, into), *zip(z[::-1], out[::-1]))]
+    path.write_text("\n".join([head, *rows]) + "\n")
+    return path
+
+
+def check(found, case, within=4.0):
+    assert found.chi2 < 1.4
+    assert np.all(np.abs(found.values - case[2]) < within * found.errors)
+
+
+def test_stiff_sample():
+    z, into, out = measured(STIFF, 0.04, 0.1, -20, 9)
+    curve = fit.curve_of(z, into, z, out)
+    found = fit.fit_curve(curve, *STIFF[:2])
+    check(found, STIFF)
+    assert found.errors[0] < 0.01 * found.values[0] and found.errors[1] < 0.03 * found.values[1]
+    theories = {name: fit.fit_theory(name, curve, *STIFF[:2]) for name in ("JKR", "DMT", "Maugis")}
+    assert theories["JKR"].values[0] > 1.1 * STIFF[2][0] > 1.2 * theories["DMT"].values[0]  # the pull-off of mu = 0.66 is neither's
+
+
+def test_soft_sample():
+    """JKR holds, and the range follows from the jump into contact alone."""
+    z, into, out = measured(SOFT, 0.05, 0.7, -300, 2)
+    curve = fit.curve_of(z, into, z, out)
+    found = fit.fit_curve(curve, *SOFT[:2])
+    check(found, SOFT)
+    assert found.values[0] == pytest.approx(SOFT[2][0], rel=0.02)
+    jkr = fit.fit_theory("JKR", curve, *SOFT[:2])
+    assert jkr.values[0] == pytest.approx(SOFT[2][0], rel=0.01) and jkr.values[2] == pytest.approx(SOFT[2][2], rel=0.01)
+    lines = "\n".join(fit.report(curve, found, [jkr, fit.fit_theory("DMT", curve, *SOFT[:2])], SOFT[0]))
+    assert "the model is a paraboloid" in lines and "which JKR fits as well" in lines
+
+
+def test_forms_of_tables(tmp_path):
+    """Directions, signs, columns and separators give the values of the plain table."""
+    z, into, out = measured(STIFF, 0.04, 0.1, -20, 9)
+    plain = fit.read_curve(write(tmp_path / "a.csv", z, into, out))
+    deflection = fit.read_curve(write(tmp_path / "b.csv", z, into / 2, out / 2, "Piezo [nm];Deflection [nm]", "{:.6f};{:.8f}"), stiffness=2.0)
+    turned = fit.read_curve(write(tmp_path / "c.txt", -1e-3 * z, -1e3 * into, -1e3 * out, "z_um\tforce_pN", "{:.9f}\t{:.5f}"))
+    path = tmp_path / "d.csv"
+    path.write_text("measured in air\nz_nm;in_nN;out_nN\n" + "".join(f"{a:.6f};{b:.8f};{c:.8f}\n".replace(".", ",") for a, b, c in zip(z, into, out)))
+    three = fit.read_curve(path)
+    for other in (deflection, turned, three):
+        for way in ("into", "out"):
+            for mine, its in zip(getattr(plain, way), getattr(other, way)):
+                assert np.allclose(mine, its, rtol=0, atol=2e-6)
+    assert len(turned.notes) == 2 and not plain.notes
+
+
+def test_loop_of_the_program(tmp_path):
+    """The table of solve --loop is a curve without noise."""
+    words = "--from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8 --preload-load-n 8e-9 --stiffness-n-per-m 2"
+    subprocess.run([PROGRAM, "solve", *words.split(), "--loop", tmp_path / "loop.csv"], check=True, capture_output=True)
+    done = subprocess.run([PROGRAM, "fit", tmp_path / "loop.csv", "--radius-m", "3e-8", "--stiffness-n-per-m", "2", "--json"],
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)["fits"][0]
+    assert found["model"] == "full_law"
+    for key, value in (("work_j_per_m2", 0.08), ("distance_m", 3e-10), ("modulus_pa", 5e9)):
+        assert found[key] == pytest.approx(value, rel=0.05)
+
+
+@pytest.mark.parametrize("code, message, words", [
+    (2, "pulloff: no curve is named: expected the name of a file", "fit"),
+    (2, "pulloff: --radius-m is missing: expected the radius of the sphere, m", "fit flat.csv"),
+    (4, "pulloff: none.csv does not exist: expected a table", "fit none.csv --radius-m 1e-8"),
+    (3, "pulloff: a deflection needs the stiffness of the lever", "fit lever.csv --radius-m 1e-8"),
+    (3, "pulloff: no attraction above the noise on the way out", "fit flat.csv --radius-m 1e-8"),
+    (3, "expected two or three columns with units, of a, b", "fit names.csv --radius-m 1e-8"),
+    (3, "expected a line of names and at least 20 rows", "fit short.csv --radius-m 1e-8"),
+])
+def test_messages(tmp_path, code, message, words):
+    z = np.linspace(0, 30, 60)
+    noise = np.random.default_rng(4).standard_normal(60) * 0.01
+    write(tmp_path / "flat.csv", z, 0.2 * np.maximum(z - 20, 0) + noise, 0.2 * np.maximum(z - 20, 0) - noise)
+    write(tmp_path / "lever.csv", z, noise, noise, "z_nm,deflection_nm")
+    write(tmp_path / "names.csv", z, noise, noise, "a,b")
+    (tmp_path / "short.csv").write_text("z_nm,force_nN\n1,2\n2,3\n")
+    done = subprocess.run([PROGRAM, *words.split()], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == code and message in done.stderr and not done.stdout
+
+
+if __name__ == "__main__":
+    PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+    sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", __file__, *sys.argv[2:]], plugins=[type("Program", (), {
+        "pytest_collection_modifyitems": lambda self, items: [setattr(item.module, "PROGRAM", PROGRAM) for item in items]})()]))
