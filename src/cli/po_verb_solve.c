@@ -9,6 +9,7 @@
 #include "po_print.h"
 #include "po_solve_line.h"
 #include "po_tables.h"
+#include "po_uncertain.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -85,160 +86,26 @@ static const char MORE_HELP[] =
 /* Beside the options of keys. */
 static const po_option OPTIONS[] = {PO_SOLVE_LINE_OPTIONS, {0}};
 
-/* -- Numbers with a standard uncertainty: 0.08+-0.01 -- */
-
-/* The number of a key, as it was given last. */
-typedef struct {
-  int key;
-  const char *text; /* of the option, without uncertainties */
-  int body;         /* of two with a comma between, 0 or 1 */
-  double value, deviation;
-} uncertain_number;
-
-typedef struct {
-  po_solve_line line;
-  const po_options *options;
-  uncertain_number *uncertain; /* in the order of the line; owned, as the next two */
-  size_t count, room;
-  po_variation *variation;
-  po_request *moved; /* the request with each uncertain number less and more */
-} uncertain_line;
-
-static const char SIGN[] = "+-";
-
-static void clear(uncertain_line *u) {
-  free(u->uncertain);
-  free(u->variation);
-  free(u->moved);
-}
-
-/* Whether a number may be uncertain: one of the scene, in SI units or not, or of the preload. */
-static bool may_vary(int key) {
-  if (key < 0 || key >= PO_KEY_ALL)
-    return false;
-  const po_key target = po_key_target(key);
-  return po_key_is_continuous(key) || po_key_is_pair(key) || key == PO_KEY_TABLE_SCALE ||
-         target == PO_KEY_PRELOAD || target == PO_KEY_PRELOAD_LOAD;
-}
-
-/* Refuses a number with its uncertainty. */
-static po_status refuse_uncertain(const char *text, int option) {
-  const int key = option - PO_OPTION_KEYS;
-  char name[PO_FLAG_LENGTH];
-  if (option < PO_OPTION_ROWS)
-    po_key_flag(key, name);
-  return po_options_refuse(option < PO_OPTION_ROWS ? name : OPTIONS[option - PO_OPTION_ROWS].name,
-                           text,
-                           may_vary(key) ? "a number, or with +- a number and its uncertainty > 0"
-                                         : "a value without uncertainty");
-}
-
-/* Reads one number with its uncertainty, which ends at `end`, and cuts the latter off. Returned:
- * false if it is none. */
-static bool cut_uncertainty(char *number, char *end, uncertain_number *read) {
-  char *sign = strstr(number, SIGN), after = *end;
-  *sign = *end = '\0';
-  const bool valid = po_number_parse(number, &read->value) &&
-                     po_number_parse(sign + strlen(SIGN), &read->deviation) &&
-                     read->deviation > 0.0;
-  *sign = *SIGN;
-  *end = after;
-  if (valid)
-    memmove(sign, end, strlen(end) + 1);
-  return valid;
-}
-
-/* Reads the uncertain numbers of an option, two if it has one for each body, and cuts their
- * uncertainties off. */
-static po_status read_uncertain(uncertain_line *u, char *text, int option) {
-  const int key = option - PO_OPTION_KEYS;
-  char *number = text;
-  if (!may_vary(key))
-    return refuse_uncertain(text, option);
-  for (int body = 0; number; ++body) {
-    char *comma = po_key_is_pair(key) ? strchr(number, ',') : NULL;
-    const char *sign = strstr(number, SIGN);
-    if (sign && (!comma || sign < comma)) {
-      uncertain_number *grown = po_grow(u->uncertain, u->count, &u->room, sizeof *grown);
-      if (!grown)
-        return PO_NO_MEMORY;
-      u->uncertain = grown;
-      grown[u->count] = (uncertain_number){.key = key, .text = text, .body = body};
-      if (!cut_uncertainty(number, comma ? comma : number + strlen(number), &grown[u->count]))
-        return refuse_uncertain(text, option);
-      u->count += 1;
-      comma = po_key_is_pair(key) ? strchr(number, ',') : NULL;
-    }
-    number = comma ? comma + 1 : NULL;
-  }
-  return PO_OK;
-}
-
-/* Takes one option of the command line. */
-static po_status take(void *to, int option) {
-  uncertain_line *u = to;
-  if (optarg && strstr(optarg, SIGN)) {
-    const po_status status = read_uncertain(u, optarg, option);
-    if (status)
-      return status;
-  }
-  return po_options_take(u->options, &u->line, option);
-}
-
-/* Makes the request of the line with one number moved. */
-static po_status move(const po_solve_line *line, const uncertain_number *number, double by,
-                      po_request *request) {
-  po_solve_line moved = *line;
-  char text[3 * PO_NUMBER_LENGTH], value[PO_NUMBER_LENGTH];
-  const char *comma = po_key_is_pair(number->key) ? strchr(number->text, ',') : NULL;
-  po_number_print(number->value + by, value);
-  snprintf(text, sizeof text, "%.*s%s%s",
-           comma && number->body ? (int)(comma + 1 - number->text) : 0, number->text, value,
-           comma && !number->body ? comma : "");
+/* Completes the request of the line with other texts. */
+static po_status make_request(const po_texts *given, const void *user, po_request *request) {
+  po_solve_line moved = *(const po_solve_line *)user;
   moved.warned = true;
-  moved.scene.given.text[number->key] = text;
+  moved.scene.given = *given;
   moved.request = po_input_default();
-  moved.request.want = line->request.want;
+  moved.request.want = ((const po_solve_line *)user)->request.want;
   const po_status status = po_solve_line_end(&moved);
   *request = moved.request;
   return status;
 }
 
-static po_status vary(uncertain_line *u, const uncertain_number *number, size_t index) {
-  po_variation *v = &u->variation[index];
-  po_status status = PO_OK;
-  *v = (po_variation){.value = number->value, .deviation = number->deviation};
-  po_key_flag(number->key, v->source);
-  if (po_key_is_pair(number->key) && strchr(number->text, ','))
-    strcat(v->source, number->body ? " of body 2" : " of body 1");
-  for (int more = 0; more < 2 && !status; ++more) {
-    po_request *moved = &u->moved[2 * index + (size_t)more];
-    const double by = PO_VARIATION_REACH * number->deviation;
-    status = move(&u->line, number, more ? by : -by, moved);
-    if (status == PO_BAD_INPUT)
-      status =
-          po_fail(status, "--%s is %s+-%g, and moved by twice its uncertainty it is refused: %s",
-                  v->source, number->text, number->deviation, po_message());
-    v->moved[more] = moved;
-    v->unit[more] = moved->in_si ? moved->units.force / u->line.request.units.force : 1.0;
-  }
-  return status;
-}
-
 /* Completes the request and checks it, also those with the uncertain numbers moved. */
-static po_status complete(uncertain_line *u) {
-  po_status status = po_solve_line_end(&u->line);
-  u->variation = po_allocate(u->count, sizeof *u->variation);
-  u->moved = po_allocate(2 * u->count, sizeof *u->moved);
-  if (!u->variation || !u->moved)
-    return PO_NO_MEMORY;
-  size_t count = 0;
-  for (size_t k = 0; k < u->count && !status; ++k) /* one that is given again is left out */
-    if (u->uncertain[k].text == u->line.scene.given.text[u->uncertain[k].key])
-      status = vary(u, &u->uncertain[k], count++);
-  u->line.request.variation = u->variation;
-  u->line.request.variations = count;
-  return status;
+static po_status complete(po_solve_line *line, po_uncertain_inputs *uncertain) {
+  po_status status = po_uncertain_read(&line->scene.given, uncertain);
+  if (!status)
+    status = po_solve_line_end(line);
+  return status
+             ? status
+             : po_uncertain_vary(uncertain, &line->scene.given, make_request, line, &line->request);
 }
 
 /* -- The solve -- */
@@ -330,13 +197,14 @@ static int solve(po_solve_line *line) {
 
 int po_verb_solve(int argc, char **argv) {
   const po_options options = {
-      "solve", HELP, OPTIONS, argc, argv, 0, MORE_HELP, PO_FOR_SOLVE, po_solve_line_take_key, take};
-  uncertain_line u = {.line = po_solve_line_begin(), .options = &options};
+      "solve", HELP, OPTIONS, argc, argv, 0, MORE_HELP, PO_FOR_SOLVE, po_solve_line_take_key};
+  po_solve_line line = po_solve_line_begin();
+  po_uncertain_inputs uncertain = {0};
   po_status status = PO_OK;
-  const bool goes_on = po_options_read(&options, &u, &status);
+  const bool goes_on = po_options_read(&options, &line, &status);
   if (goes_on)
-    status = complete(&u);
-  const int code = status || !goes_on ? po_options_end(status) : solve(&u.line);
-  clear(&u);
+    status = complete(&line, &uncertain);
+  const int code = status || !goes_on ? po_options_end(status) : solve(&line);
+  po_uncertain_clear(&uncertain);
   return code;
 }

@@ -55,6 +55,9 @@ po_status po_library_suggest(const char *key);
  * none. It is in SI units if one of these is given; a key in another unit is then refused. */
 po_texts po_library_given(const pulloff_scene *scene, int key, const char *value);
 
+/* Makes the request of texts (po_uncertain_maker). Given: the scene that has wants and a stop. */
+po_status po_library_make(const po_texts *given, const void *scene, po_request *request);
+
 /* The units of a request in SI units. */
 pulloff_units po_library_units(const po_request *request);
 

@@ -10,6 +10,7 @@
 #include "po_quote.h"
 #include "po_suggest.h"
 #include "po_text.h"
+#include "po_uncertain.h"
 
 /* The key that is not in the table of src/text/keys. */
 enum { WANT = PO_KEY_VARIABLES, KEY_COUNT };
@@ -117,8 +118,15 @@ static po_status set(pulloff_scene *scene, int key, const char *value) {
     return PO_OK;
   }
   po_request scratch = po_input_default();
-  if (value && !po_key_set(&scratch, key, value))
-    return po_no_memory_or(refuse(key, value));
+  po_texts one = {.prefix = ""};
+  po_uncertain_inputs uncertain;
+  one.text[key] = value;
+  po_status status = po_uncertain_read(&one, &uncertain);
+  if (!status && value && !po_key_set(&scratch, key, one.text[key]))
+    status = po_no_memory_or(refuse(key, value));
+  po_uncertain_clear(&uncertain);
+  if (status)
+    return status;
   char *copy = value ? po_copy_text(value) : NULL;
   if (value && !copy)
     return PO_NO_MEMORY;
@@ -167,23 +175,41 @@ po_texts po_library_given(const pulloff_scene *scene, int key, const char *value
 
 po_status po_library_request(const pulloff_scene *scene, int key, const char *value,
                              po_request *request) {
-  po_texts given = po_library_given(scene, key, value);
+  const po_texts given = po_library_given(scene, key, value);
+  return po_library_make(&given, scene, request);
+}
+
+po_status po_library_make(const po_texts *texts, const void *scene, po_request *request) {
+  po_texts given = *texts;
   *request = po_input_default();
   const po_status status = po_texts_read(&given, request);
   if (status)
     return status;
-  request->want = scene->want;
-  request->stop = scene->stop;
+  request->want = ((const pulloff_scene *)scene)->want;
+  request->stop = ((const pulloff_scene *)scene)->stop;
   return po_request_complete(request);
+}
+
+/* The request without the uncertainties of its numbers. */
+static po_status certain_request(const pulloff_scene *scene, po_request *request) {
+  po_texts given = po_library_given(scene, -1, NULL);
+  po_uncertain_inputs uncertain;
+  po_status status = po_uncertain_read(&given, &uncertain);
+  if (!status)
+    status = po_library_make(&given, scene, request);
+  po_uncertain_clear(&uncertain);
+  return status;
 }
 
 static po_status get(const pulloff_scene *scene, int key, char *text, size_t size) {
   po_request request;
-  const po_status status = key < 0 ? PO_BAD_INPUT : po_library_request(scene, -1, NULL, &request);
+  const po_status status = key < 0 ? PO_BAD_INPUT : certain_request(scene, &request);
   if (status)
     return status;
   char value[PO_KEY_TEXT_LENGTH] = "auto";
-  if (key < PO_KEY_COUNT)
+  if (key < WANT && scene->text[key] && strstr(scene->text[key], "+-"))
+    snprintf(value, sizeof value, "%s", scene->text[key]);
+  else if (key < PO_KEY_COUNT)
     po_key_print(&request, key, value);
   else if (key < PO_KEY_END)
     print_number(po_key_number(&request, key), value);
@@ -239,7 +265,7 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
     status = set(changed, values[i].key, values[i].value == values[i].idle ? NULL : text);
   }
   if (!status)
-    status = po_library_request(changed, -1, NULL, &request);
+    status = certain_request(changed, &request);
   if (!status) {
     const pulloff_scene before = *scene;
     *scene = *changed;
@@ -262,7 +288,7 @@ pulloff_status pulloff_scene_set_physical(pulloff_scene *scene, const pulloff_ph
 
 static po_status get_units(const pulloff_scene *scene, pulloff_units *units) {
   po_request request;
-  const po_status status = po_library_request(scene, -1, NULL, &request);
+  const po_status status = certain_request(scene, &request);
   if (status)
     return status;
   if (!request.in_si)

@@ -11,6 +11,7 @@
 #include "po_quote.h"
 #include "po_series.h"
 #include "po_solve.h"
+#include "po_uncertain.h"
 
 /* Whether a solve gave a result, complete or not. */
 static bool has_result(po_status status) {
@@ -26,23 +27,38 @@ static po_status request_of(const pulloff_scene *scene, int key, const char *val
   return status ? status : po_texts_check_waves(&given);
 }
 
-static po_status solve(const pulloff_scene *scene, pulloff_result **result) {
-  po_request request;
-  po_status status = request_of(scene, -1, NULL, &request);
-  if (status)
-    return status;
+static po_status solve_request(const po_request *request, pulloff_result **result) {
   po_result solved = {0};
-  status = po_solve(&request, &solved);
+  const po_status status = po_solve(request, &solved);
   if (status && !solved.reason[0])
     snprintf(solved.reason, sizeof solved.reason, "%.250s", po_message());
   if (!has_result(status)) {
     po_result_clear(&solved);
     return status;
   }
-  *result = po_library_result(&request, &solved);
+  *result = po_library_result(request, &solved);
   if (!*result)
     return PO_NO_MEMORY;
   return status ? po_fail(status, "the solve failed: %s", (*result)->result.reason) : PO_OK;
+}
+
+static po_status solve(const pulloff_scene *scene, pulloff_result **result) {
+  po_request request;
+  po_uncertain_inputs uncertain;
+  po_texts given = po_library_given(scene, -1, NULL);
+  po_status status = po_uncertain_read(&given, &uncertain);
+  if (!status)
+    status = po_library_make(&given, scene, &request);
+  if (!status)
+    status = po_texts_check_waves(&given);
+  if (!status)
+    status = po_uncertain_vary(&uncertain, &given, po_library_make, scene, &request);
+  if (!status)
+    status = solve_request(&request, result);
+  if (*result) /* what the uncertainties were made of ends here */
+    (*result)->request.variation = NULL, (*result)->request.variations = 0;
+  po_uncertain_clear(&uncertain);
+  return status;
 }
 
 pulloff_status pulloff_solve(const pulloff_scene *scene, pulloff_result **result,

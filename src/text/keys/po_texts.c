@@ -16,7 +16,7 @@ static bool are_options(const po_texts *given) {
   return *given->prefix == '-';
 }
 
-static void write_name(const po_texts *given, int key, char name[PO_KEY_NAME_LENGTH]) {
+void po_texts_write_name(const po_texts *given, int key, char name[PO_KEY_NAME_LENGTH]) {
   char flag[PO_FLAG_LENGTH];
   po_key_flag(key, flag);
   snprintf(name, PO_KEY_NAME_LENGTH, "%s%s", given->prefix,
@@ -25,7 +25,7 @@ static void write_name(const po_texts *given, int key, char name[PO_KEY_NAME_LEN
 
 void po_texts_name(const po_texts *given, po_key key, char name[PO_KEY_NAME_LENGTH]) {
   const int si = po_key_in_si(key);
-  write_name(given, given->si && si >= 0 ? si : key, name);
+  po_texts_write_name(given, given->si && si >= 0 ? si : key, name);
 }
 
 static const char UNCERTAIN[] =
@@ -40,7 +40,7 @@ refuse(po_texts *given, int key, const char *format, ...) {
   vsnprintf(expected, sizeof expected, format, arguments);
   va_end(arguments);
   given->wrong = key;
-  write_name(given, key, name);
+  po_texts_write_name(given, key, name);
   if (!given->text[key])
     return po_fail(PO_BAD_INPUT, "%s is missing: expected %s", name, expected);
   const char *text = given->text[key];
@@ -92,8 +92,8 @@ static po_status check_pairs(po_texts *given) {
         (PO_KEYS[key].owner == PO_OWNER_SI && !given->text[target]))
       continue;
     char name[PO_KEY_NAME_LENGTH], other[PO_KEY_NAME_LENGTH];
-    write_name(given, key, name);
-    write_name(given, given->text[target] ? target : po_key_in_si(target), other);
+    po_texts_write_name(given, key, name);
+    po_texts_write_name(given, given->text[target] ? target : po_key_in_si(target), other);
     return refuse(given, key, "only one of %s and %s", other, name);
   }
   return PO_OK;
@@ -114,7 +114,7 @@ static po_status check_units(po_texts *given) {
     if (si < 0)
       return refuse(given, key, "it to be left out, as it follows from the values in SI units");
     char name[PO_KEY_NAME_LENGTH];
-    write_name(given, si, name);
+    po_texts_write_name(given, si, name);
     return refuse(given, key, "%s, as the scene is in SI units", name);
   }
   return PO_OK;
@@ -153,12 +153,12 @@ static po_status read_bodies(po_texts *given, double *modulus) {
   if (!text[0] && !text[1])
     return PO_OK;
   if (given->text[PO_KEY_MODULUS_PA]) {
-    write_name(given, PO_KEY_MODULUS_PA, name);
+    po_texts_write_name(given, PO_KEY_MODULUS_PA, name);
     return refuse(given, text[0] ? PO_KEY_YOUNG_PA : PO_KEY_POISSON,
                   "it to be left out beside %s, the contact modulus", name);
   }
   for (int k = 0; k < 2; ++k) {
-    write_name(given, keys[1 - k], name);
+    po_texts_write_name(given, keys[1 - k], name);
     if (!text[k])
       return refuse(given, keys[k], "%s, beside %s", PO_KEYS[keys[k]].expected, name);
     count[k] = po_key_parse_pair(keys[k], text[k], value[k]);
@@ -166,7 +166,7 @@ static po_status read_bodies(po_texts *given, double *modulus) {
       return refuse(given, keys[k], "%s", PO_KEYS[keys[k]].expected);
   }
   if (count[0] != count[1]) {
-    write_name(given, PO_KEY_YOUNG_PA, name);
+    po_texts_write_name(given, PO_KEY_YOUNG_PA, name);
     return refuse(given, PO_KEY_POISSON, "one number for each of %s", name);
   }
   *modulus = contact_modulus(value[0], value[1], count[0]);
@@ -202,7 +202,7 @@ static po_status read_physical(po_texts *given, po_physical *p) {
       continue;
     char name[4][PO_KEY_NAME_LENGTH];
     for (size_t k = 0; k < 4; ++k)
-      write_name(given, items[k].key, name[k]);
+      po_texts_write_name(given, items[k].key, name[k]);
     return refuse(given, items[i].key,
                   "%s; a scene in SI units has %s%s%s, %s and, of a sphere, %s",
                   PO_KEYS[items[i].key].expected, name[0],

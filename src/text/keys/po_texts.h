@@ -40,6 +40,9 @@ bool po_texts_has(const po_texts *given, po_key key);
  * SI units. */
 double po_texts_number(const po_texts *given, po_key key, const po_units *units);
 
+/* Writes the name of a key in messages, with its prefix: --work-j-per-m2. */
+void po_texts_write_name(const po_texts *given, int key, char name[PO_KEY_NAME_LENGTH]);
+
 /* The name of a key in messages, which is that in SI units if the scene is. */
 void po_texts_name(const po_texts *given, po_key key, char name[PO_KEY_NAME_LENGTH]);
 
