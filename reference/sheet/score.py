@@ -147,7 +147,7 @@ def statement(sheet, name):
         raise ValueError(f"the sheet has no problem '{name}'; --list prints them")
     problem = found[0]
     lines = [f"{problem['id']}: {problem['title']} ({problem['level']})", "", problem["statement"]]
-    lines += ["", problem["dimensional"]["text"]] if problem["dimensional"] else []
+    lines += ["", problem["dimensional"]] if problem["dimensional"] else []
     lines += ["", "Parameters"] + [f"  {key} = {value}" for key, value in problem["parameters"].items()]
     lines += ["", "Asked"] + [f"  {quantity['name']} [{quantity['unit']}]: {quantity['meaning']}; {quantity['sign']}"
                               for quantity in problem["quantities"]]
