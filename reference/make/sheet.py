@@ -6,12 +6,15 @@
     sheet.py --sample --all      every problem
     --balls PROGRAM              the program sheet_balls (target of the build, where Arb is installed); without it --sample
                                  compares with the second route alone
+    --pulloff PROGRAM            the program pulloff, the second route of viscoelastic bodies
 
 Contact laws and rigid bodies: intervals in ball arithmetic (balls/) and mpmath (sheet_laws.py). The interval of the first
-has to contain the number of the second within 1e-18. The other groups are rows of tables of this folder, which have
-their own two routes.
+has to contain the number of the second within 1e-18. JKR with grooves and viscoelastic bodies are rows of tables of this
+folder. The first table has two routes of its own; the half-width of a viscoelastic number is the uncertainty of the table or
+the difference from the program, whichever is greater.
 """
 
+import argparse
 import json
 import subprocess
 import sys
@@ -40,13 +43,13 @@ HEADER = {
     "evidence": "contact laws and rigid bodies: proven intervals, and a second route within 1e-18 of them; the other "
                 "groups: the difference of the routes",
     "generator": "reference/make/sheet.py and the generators of the tables that it names",
-    "command": "python3 reference/make/sheet.py --write --balls build/tests/sheet/sheet_balls",
+    "command": "python3 reference/make/sheet.py --write --balls build/tests/sheet/sheet_balls --pulloff build/src/cli/pulloff",
     "date": "2026-11-27"}
 BALLS, QUADRATURE = "ball arithmetic (Arb)", "mpmath: quadrature and energies"
 GROOVES = {"pull_off_force": ("force", "force_uncertainty"), "pull_off_approach": ("approach", "approach_uncertainty"),
            "pull_off_radius": ("contact_radius", "edge_uncertainty")}
-VISCOELASTIC = {"pull_off_force": "force", "pull_off_approach": "approach", "pull_off_radius": "contact_radius",
-                "work_to_separate": "work"}
+VISCOELASTIC = {"pull_off_force": "force", "pull_off_approach": "approach", "pull_off_radius": "contact_radius"}
+PROGRAM_TOLERANCE = "1e-8"
 
 
 def read_problems():
@@ -125,65 +128,71 @@ def with_grooves(problem):
             for name, (column, uncertainty) in GROOVES.items()]
 
 
-def viscoelastic(problem):
+def viscoelastic(problem, program):
     p = problem["parameters"]
-    wanted = {"tabor": p["tabor"], "radius": p["R"], "viscoelastic": f"sls:{p['k']}", "preload": p["preload"],
-              "unload_speed": p["unload_speed"], "stiffness": "-", "amplitude": p.get("A", "0"),
-              "outer_radius": p.get("outer_radius", "inf")}
+    scene = {"tabor": p["tabor"], "radius": p["R"], "viscoelastic": f"sls:{p['k']}", "preload": p["preload"],
+             "unload_speed": p["unload_speed"], "amplitude": p.get("A", "0"), "outer_radius": p.get("outer_radius", "inf")}
     if "A" in p:
-        wanted["wavelength"] = p["wavelength"]
-    entry = only(read_table(STORED / "viscoelastic.csv")[1], wanted)
-    routes = "viscoelastic.csv: Copson panels and Runge-Kutta", "the march in time of pulloff"
-    return [row(problem["id"], name, mpf(entry[column]), mpf(entry[column + "_uncertainty"]), routes)
-            for name, column in VISCOELASTIC.items()]
+        scene["wavelength"] = p["wavelength"]
+    entry = only(read_table(STORED / "viscoelastic.csv")[1], {**scene, "stiffness": "-"})
+    words = [f"--{key.replace('_', '-')}={value}" for key, value in scene.items()]
+    answer = subprocess.run([program, "solve", *words, "--tolerance", PROGRAM_TOLERANCE, "--json"], check=True,
+                            capture_output=True, text=True).stdout
+    other = json.loads(answer, parse_float=mpf)["pull_off"]
+    rows = []
+    for name, column in VISCOELASTIC.items():
+        value, uncertainty = mpf(entry[column]), mpf(entry[column + "_uncertainty"])
+        routes = "viscoelastic.csv: Copson panels and Runge-Kutta", "steps in time of pulloff"
+        rows.append(row(problem["id"], name, value, max(uncertainty, abs(value - other[column])), routes))
+    return rows
 
 
-def rows_of(problem, program):
+def rows_of(problem, given):
     """The rows of a problem of these groups, or None."""
     if problem["group"] in ("contact law", "rigid"):
-        return enclosed(program, problem)
+        return enclosed(given.balls, problem)
     if problem["group"] == "JKR with grooves":
         return with_grooves(problem)
-    return viscoelastic(problem) if problem["group"] == "rate-dependent" else None
+    return viscoelastic(problem, given.pulloff) if problem["group"] == "rate-dependent" and given.pulloff else None
 
 
-def write(program):
+def write(given):
     """Computes the rows; those of other groups stay."""
-    if not program:
-        raise ValueError("--write needs --balls")
+    if not given.balls or not given.pulloff:
+        raise ValueError("--write needs --balls and --pulloff")
     kept = stored() if (SHEET / "values.csv").exists() else []
     rows = []
     for problem in read_problems():
-        made = rows_of(problem, program)
+        made = rows_of(problem, given)
         rows += made or [[entry[column] for column in COLUMNS] for entry in kept if entry["problem"] == problem["id"]]
         print(f"{problem['id']}: {'computed' if made else 'kept'}", flush=True)
     write_table(SHEET / "values.csv", HEADER, COLUMNS, rows)
 
 
-def sample(program, whole):
+def sample(given):
     count = 0
     for problem in read_problems():
-        if not whole and problem["id"] not in SAMPLE:
+        if not given.all and problem["id"] not in SAMPLE:
             continue
-        made = rows_of(problem, program)
+        made = rows_of(problem, given)
         old = [[entry[column] for column in COLUMNS] for entry in stored() if entry["problem"] == problem["id"]]
-        if made and program and made != old:
+        if made and given.balls and made != old:
             raise ValueError(f"{problem['id']}: stored {old}, recomputed {made}")
         count += len(made or [])
-    print(f"values.csv: {count} values recomputed by {'both routes' if program else 'the second route'}, all agree")
+    print(f"values.csv: {count} values recomputed by {'both routes' if given.balls else 'the second route'}, all agree")
 
 
 def main():
-    import argparse
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     action = parser.add_mutually_exclusive_group(required=True)
     action.add_argument("--write", action="store_true")
     action.add_argument("--sample", action="store_true")
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--balls", metavar="PROGRAM", type=Path)
+    parser.add_argument("--pulloff", metavar="PROGRAM", type=Path)
     given = parser.parse_args()
     mp.dps = 40
-    return run(lambda _: write(given.balls) if given.write else sample(given.balls, given.all), given)
+    return run(write if given.write else sample, given)
 
 
 if __name__ == "__main__":

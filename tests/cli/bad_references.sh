@@ -79,6 +79,31 @@ sed -i 's/quantity: .*/quantity: pull_off_approach/; s/reference: .*/reference: 
 expect 2 'pulloff: cases/good.yaml:15: checks[[]1].kind is rel, but bradley has the value 0, to which *' verify good --output out
 restore
 
+# A row of a table by its name, for any scene: its columns problem, quantity, value and half_width.
+named() { # ROW
+  restore
+  write_table "$table" problem,quantity,value,half_width easy,pull_off_force,2,1e-12 easy,radius,3,1e-12 hard.1,pull_off_force,1.9,1e-6
+  sed -i "s|reference: reference/table.csv|reference: \"reference/table.csv#$1\"|" "$PULLOFF_DATA/cases/good.yaml"
+}
+named easy:pull_off_force
+expect 0 '' plan good
+check 'rows of other problems are no matter' sh -c "! grep -q 'rows of' '$work/stdout'"
+expect 0 '*' verify good --output out --tap
+check 'the check has the name of the row' grep -q '^ok 1 - good pull_off_force/easy:pull_off_force/scene$' "$work/stdout"
+named easy:radius
+expect 1 '*' verify good --output out
+check 'another number is outside' grep -q outside "$work/stdout"
+named hard.1:pull_off_force
+expect 2 'pulloff: cases/good.yaml:15: checks[[]1[]].tolerance is 1e-9: expected at least 1e-06, *' verify good --output out
+named easy:force
+expect 4 'pulloff: reference/table.csv:11: no row easy:force: expected PROBLEM:QUANTITY of the columns problem and quantity' plan good
+named easy
+expect 4 'pulloff: reference/table.csv:11: no row easy: expected *' plan good
+named easy:pull_off_force
+sed -i 's/quantity: pull_off_force/quantity: extrema/' "$PULLOFF_DATA/cases/good.yaml"
+expect 2 'pulloff: reference/table.csv#easy:pull_off_force has one number: expected a quantity that is one, not extrema' plan good
+restore
+
 # The plan says which rows of a table no scene of the case has.
 write_table "$table" tabor,force,approach 0,2,0 1,1.6,0 2,1.5,0 3,1.5,0 5,1.5,0
 expect 0 '' plan good

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import math
 
 import pytest
@@ -120,6 +121,23 @@ checks:
 """)
     ended = run(f"verify {case} --output {tmp_path / 'out'}")
     assert ended.code == 0, ended.err + ended.out
+
+
+def test_a_table_has_elastic_and_viscoelastic_bodies(tmp_path):
+    """The record of a body without a speed has null for it."""
+    (tmp_path / "bodies.csv").write_text("tabor,viscoelastic,unload_speed\n1,-,-\n1,sls:0.5,1\n")
+    case = tmp_path / "mixed.yaml"
+    case.write_text("""name: mixed
+title: Elastic and viscoelastic bodies
+suites: [own]
+want: [pull_off]
+scene: {radius: 100, outer_radius: .inf, scheme: panel, preload: 1}
+sweep: [{table: bodies.csv}]
+""")
+    expect(0, "*", f"run {case} --output {tmp_path / 'out'}")
+    points = json.loads((tmp_path / "out" / "mixed" / "record.json").read_text())["points"]
+    assert [point["sweep"]["unload_speed"] for point in points] == [None, 1]
+    assert [point["sweep"]["viscoelastic"] for point in points] == [None, "sls:0.5"]
 
 
 @pytest.mark.parametrize("words, message", [

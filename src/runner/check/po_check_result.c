@@ -36,8 +36,11 @@ bool po_verdict_is_plain(po_verdict verdict) {
 void po_check_result_reference(const po_check *check, char name[64]) {
   const char *slash = strrchr(check->reference, '/');
   const char *base = slash ? slash + 1 : check->reference;
-  const char *dot = strrchr(base, '.');
-  snprintf(name, 64, "%.*s", (int)(dot ? (size_t)(dot - base) : strlen(base)), base);
+  const char *dot = strrchr(base, '.'), *row = strchr(base, '#');
+  if (row) /* that of a table */
+    snprintf(name, 64, "%s", row + 1);
+  else
+    snprintf(name, 64, "%.*s", (int)(dot ? (size_t)(dot - base) : strlen(base)), base);
 }
 
 /* Reports whether two checks have the same quantity and references of the same short name. */

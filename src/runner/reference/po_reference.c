@@ -170,15 +170,40 @@ po_status po_reference_check_cells(const po_reference *reference) {
   return status;
 }
 
+/* Between the path of a table and the name of a row. */
+static const char MARK = '#';
+
+po_file_path po_reference_file(const char *name) {
+  po_file_path path = po_path_join("", name);
+  char *mark = strchr(path.text, MARK);
+  if (mark)
+    *mark = '\0';
+  return path;
+}
+
+static po_status check_row(const po_reference *reference) {
+  const po_request any = po_request_default();
+  size_t row = 0;
+  if (po_reference_next_row(reference, &any, &row))
+    return PO_OK;
+  return po_fail(PO_CANNOT_READ,
+                 "%s:%zu: no row %s: expected PROBLEM:QUANTITY of the columns problem and quantity",
+                 reference->table.path, reference->table.column_line, reference->row);
+}
+
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference) {
   *reference = (po_reference){.name = name, .type = po_reference_type_of(name)};
+  const char *mark = strchr(name, MARK);
   if (reference->type != PO_REFERENCE_TABLE) {
     po_digest_bytes(name, strlen(name), reference->digest);
     return PO_OK;
   }
-  po_status status = po_reference_read(po_path_join(data_folder, name).text, name, reference);
+  const po_file_path file = po_reference_file(name);
+  reference->row = mark ? mark + 1 : NULL;
+  po_status status =
+      po_reference_read(po_path_join(data_folder, file.text).text, file.text, reference);
   if (!status)
-    status = check_selectors(&reference->table);
+    status = reference->row ? check_row(reference) : check_selectors(&reference->table);
   if (status)
     po_reference_close(reference);
   return status;

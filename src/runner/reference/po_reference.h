@@ -6,7 +6,9 @@
  *   "pin", the blessed values of this program;
  *   "every_scene", the share 1: every scene has an equilibrium;
  *   "zero", for diagnostics, which vanish for an exact solution;
- *   "traced", for a series: the full trace of the scene.
+ *   "traced", for a series: the full trace of the scene;
+ *   a row of a table, reference/NAME.csv#PROBLEM:QUANTITY: that with these words in the columns
+ *   problem and quantity. It has one number, in the columns value and half_width, for any scene.
  *
  * In a table, a column with the name of a scene key (tabor, ...) selects the scene of a row, and a
  * header with such a name selects the scene of all rows. The other columns have the names of the
@@ -29,6 +31,7 @@ typedef enum { PO_LEDGER_ORACLE, PO_LEDGER_PUBLISHED, PO_LEDGER_PIN } po_ledger;
 
 typedef struct {
   const char *name; /* as in the case file */
+  const char *row;  /* PROBLEM:QUANTITY of a row of a table, part of the name; NULL: a whole table */
   po_ledger ledger;
   po_reference_type type;
   po_file_path path;             /* of the file of pins; "" for other references */
@@ -49,6 +52,9 @@ typedef struct {
 const char *po_reference_shown(const po_reference *reference);
 
 extern const char *const PO_LEDGERS[]; /* the name of each ledger */
+
+/* Returned: the path of the table in the name of a reference, without #PROBLEM:QUANTITY. */
+po_file_path po_reference_file(const char *name);
 
 /* Opens a reference and checks it: the headers what, source, kind, method, units, uncertainty,
  * generator, command, date and sha256 must exist, and the checksum must agree.

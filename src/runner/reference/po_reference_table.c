@@ -180,8 +180,26 @@ static po_status uncertainty_of(const po_csv *table, size_t row, const char *nam
   return PO_OK;
 }
 
+/* Whether the columns problem and quantity of a row have the words PROBLEM:QUANTITY. */
+static bool is_named(const po_csv *table, size_t row, const char *words) {
+  const int problem = po_csv_find_column(table, "problem"),
+            quantity = po_csv_find_column(table, "quantity");
+  const char *colon = strchr(words, ':');
+  if (problem < 0 || quantity < 0 || !colon)
+    return false;
+  const char *name = po_csv_cell(table, row, (size_t)problem);
+  const size_t length = (size_t)(colon - words);
+  return strlen(name) == length && strncmp(name, words, length) == 0 &&
+         strcmp(po_csv_cell(table, row, (size_t)quantity), colon + 1) == 0;
+}
+
 bool po_reference_next_row(const po_reference *reference, const po_request *request, size_t *row) {
   const po_csv *table = &reference->table;
+  if (reference->row) {
+    while (*row < table->row_count && !is_named(table, *row, reference->row))
+      ++*row;
+    return *row < table->row_count;
+  }
   while (*row < table->row_count && !row_holds(table, *row, request))
     ++*row;
   if (*row < table->row_count && !headers_hold(table, request))
@@ -242,12 +260,13 @@ bool po_reference_nearest(const po_reference *reference, const po_request *reque
 
 po_status po_reference_cell(const po_reference *reference, size_t row, const char *name,
                             po_reference_number *number) {
-  char uncertainty[64];
+  char uncertainty[64] = "half_width";
   size_t column = 0;
-  po_status status = need_column(&reference->table, name, &column);
+  po_status status = need_column(&reference->table, reference->row ? "value" : name, &column);
   if (!status)
     status = po_csv_number(&reference->table, row, column, &number->value);
-  snprintf(uncertainty, sizeof uncertainty, "%s_uncertainty", name);
+  if (!reference->row)
+    snprintf(uncertainty, sizeof uncertainty, "%s_uncertainty", name);
   return status ? status
                 : uncertainty_of(&reference->table, row, uncertainty, &number->uncertainty);
 }

@@ -104,8 +104,9 @@ static po_file_path folder_for(const po_case *kase, const char *data_folder, con
   po_file_path own = po_path_join("", kase->path);
   const char *slash = strrchr(own.text, '/');
   own.text[slash ? slash - own.text + 1 : 0] = '\0';
-  return !po_path_exists(po_path_join(own.text, name).text) &&
-                 po_path_exists(po_path_join(data_folder, name).text)
+  const po_file_path file = po_reference_file(name);
+  return !po_path_exists(po_path_join(own.text, file.text).text) &&
+                 po_path_exists(po_path_join(data_folder, file.text).text)
              ? shared
              : own;
 }
@@ -116,12 +117,18 @@ static po_file_path folder_for(const po_case *kase, const char *data_folder, con
 static po_status reference_open_check(const char *data_folder, const po_check *check,
                                       po_reference *reference) {
   *reference = (po_reference){.name = check->reference};
-  if (check->stand_in && !po_path_exists(po_path_join(data_folder, check->reference).text)) {
+  if (check->stand_in &&
+      !po_path_exists(po_path_join(data_folder, po_reference_file(check->reference).text).text)) {
     reference->type = PO_REFERENCE_ABSENT;
     po_digest_bytes("absent", strlen("absent"), reference->digest);
     return PO_OK;
   }
   const po_status status = po_reference_open(data_folder, check->reference, reference);
+  if (!status && reference->row && !*PO_QUANTITIES[check->quantity].path) {
+    po_reference_close(reference);
+    return po_fail(PO_BAD_INPUT, "%s has one number: expected a quantity that is one, not %s",
+                   check->reference, check->quantity_text);
+  }
   if (status || !check->stand_in || reference->ledger == PO_LEDGER_PUBLISHED)
     return status;
   const po_csv_header *kind = po_csv_find_header(&reference->table, "kind");

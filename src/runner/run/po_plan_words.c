@@ -270,7 +270,7 @@ static void tell_unused_rows(const po_plan *plan, unsigned number, json_t **line
   const po_case *kase = plan->kase;
   const po_reference *reference = &plan->references[number];
   const po_check *other = NULL;
-  if (reference->type != PO_REFERENCE_TABLE)
+  if (reference->type != PO_REFERENCE_TABLE || reference->row)
     return;
   for (unsigned i = 0; i < number; ++i)
     if (strcmp(plan->references[i].name, reference->name) == 0)

@@ -130,8 +130,10 @@ static json_t *with_parameters(const po_request *request, po_key name) {
 static json_t *swept_value(const po_request *request, const json_t *input, po_key key) {
   if (key == PO_KEY_LAW || key == PO_KEY_PROFILE)
     return with_parameters(request, key);
-  return po_key_is_group(key) ? po_json_number(po_key_number(request, key))
-                              : json_incref(json_object_get(input, PO_KEYS[key].name));
+  if (po_key_is_group(key))
+    return po_json_number(po_key_number(request, key));
+  json_t *value = json_object_get(input, PO_KEYS[key].name); /* an elastic body has no speed */
+  return value ? json_incref(value) : json_null();
 }
 
 /* The value of a key in SI units, as it is written: a number, two with a comma between; null: the
