@@ -14,7 +14,10 @@ import logging
 import os
 import re
 import sys
+from collections import Counter
+from itertools import groupby
 from pathlib import Path
+from string import ascii_uppercase
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
@@ -26,6 +29,7 @@ WORDS = {"pi": "π", "mu": "μ", "epsilon": "ε", "lambda": "λ", "alpha": "α",
          "tau_0": "τ<sub>0</sub>", "gamma": "γ", "gamma1": "γ<sub>1</sub>", "gamma2": "γ<sub>2</sub>",
          "gamma12": "γ<sub>12</sub>", "nu": "ν", "nu1": "ν<sub>1</sub>", "nu2": "ν<sub>2</sub>", "um": "µm", "uN": "µN",
          "int": "∫", "inf": "∞"}
+SHARED, LONG = 3, 45        # statements of a sentence that is printed once; its letters
 LEVELS = ["easy", "average", "hard", "extreme"]
 
 
@@ -68,18 +72,29 @@ def parameters(problem):
                              for key, value in problem["parameters"].items())
 
 
+def sentences(text):
+    return re.split(r"(?<=\.) (?=[A-Z])", text)
+
+
 def groups(sheet):
-    """(group, blocks): problems one after the other with the same statement share a block."""
+    """[(group, shared, problems)]. Sentences that at least SHARED statements of a group have are printed once, with a letter:
+    `shared` is [(letter, sentence)]. Problems are pairs of a problem and the parts of its statement, letters or sentences."""
     found = []
-    for problem in sheet["problems"]:
-        if not found or found[-1][0] != problem["group"]:
-            found.append((problem["group"], []))
-        blocks = found[-1][1]
-        if blocks and blocks[-1][0]["statement"] == problem["statement"]:
-            blocks[-1].append(problem)
-        else:
-            blocks.append([problem])
+    for group in dict.fromkeys(problem["group"] for problem in sheet["problems"]):
+        problems = [problem for problem in sheet["problems"] if problem["group"] == group]
+        counts = Counter(sentence for problem in problems for sentence in sentences(problem["statement"]))
+        often = [sentence for sentence, count in counts.items() if count >= SHARED and len(sentence) >= LONG]
+        letters = dict(zip(often, ascii_uppercase))
+        found.append((group, [(letters[sentence], sentence) for sentence in letters],
+                      [(problem, parts(problem["statement"], letters)) for problem in problems]))
     return found
+
+
+def parts(statement, letters):
+    """[(letters, sentences)]: what a statement says in this order, neighbours of the same kind together."""
+    pieces = [(letters.get(sentence), sentence) for sentence in sentences(statement)]
+    return [("" .join(letter for letter, _ in run) if shared else "", " ".join(text for _, text in run))
+            for shared, run in ((shared, list(run)) for shared, run in groupby(pieces, lambda piece: piece[0] is not None))]
 
 
 def read_score(folder):

@@ -42,7 +42,7 @@ HEADER = {
                    "that are certain, at most 10",
     "evidence": "contact laws and rigid bodies: proven intervals, and a second route within 1e-18 of them; the other "
                 "groups: the difference of the routes",
-    "generator": "reference/make/sheet.py and the generators of the tables that it names",
+    "generator": "reference/make/sheet.py, sheet_elastic.py and the generators of the tables that they name",
     "command": "python3 reference/make/sheet.py --write --balls build/tests/sheet/sheet_balls --pulloff build/src/cli/pulloff",
     "date": "2026-11-27"}
 BALLS, QUADRATURE = "ball arithmetic (Arb)", "mpmath: quadrature and energies"
