@@ -36,12 +36,12 @@ LEVELS = ["easy", "average", "hard", "extreme"]
 def mathematics(text):
     """A text with formulas in plain letters as HTML: Greek letters, exponents, integrals, minus signs."""
     text = html.escape(text, quote=False)
-    text = re.sub(r"\bint_(\w)\^(\w)", r"∫<sub>\1</sub><sup>\2</sup>", text)
+    text = re.sub(r"\bint_(\w)\^(r_max|inf|\w)", r"∫<sub>\1</sub><sup>\2</sup>", text)
     text = re.sub(r"\b[A-Za-z]+(?:_0|\d+)?\b", lambda word: WORDS.get(word[0], word[0]), text)
     text = re.sub(r"\bsqrt(?=[(])", "√", text)
     text = re.sub(r"\^\(([^()]*)\)", r"<sup>\1</sup>", text)
-    text = re.sub(r"\^(-?\d+(?:\.\d+)?|[a-z])", r"<sup>\1</sup>", text)
-    text = re.sub(r"\b([RDEr])(\d|_max)\b", lambda found: f"{found[1]}<sub>{found[2].strip('_')}</sub>", text)
+    text = re.sub(r"\^(-?\d+(?:\.\d+)?|[a-z])", lambda found: f"<sup>{found[1].replace('-', '−')}</sup>", text)
+    text = re.sub(r"\b([RDErad])(\d|_max|_t|_0)\b", lambda found: f"{found[1]}<sub>{found[2].strip('_')}</sub>", text)
     text = re.sub(r"(?<![\w>)])-(?=[\d(√A-Za-zπα-ω])", "−", text)
     text = re.sub(r"(?<= )-(?= )", "−", text)
     text = re.sub(r"`(\w+)`", r"<code>\1</code>", text)

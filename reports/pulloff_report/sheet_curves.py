@@ -93,6 +93,6 @@ def draw(sheet, values):
     parts += [line(maugis(float(number)), COLOURS[number], 'stroke-width="1.7"') for number in numbers]
     parts += [marker(values, number, kind, COLOURS[number]) for number in numbers for kind in ("pull_off", "grips")]
     parts += [label(-2.0, -1.34, "λ = 0.1", COLOURS["0.1"]), label(-1.33, -0.30, "0.5", COLOURS["0.5"]),
-              label(-0.95, -0.95, "1", COLOURS["1"]), label(-0.66, -0.04, "3", COLOURS["3"]), label(0.02, 0.05, "JKR", "#1b1d20"),
-              label(0.05, -2.08, "DMT", "#1b1d20")]
+              label(-1.09, -1.02, "1", COLOURS["1"]), label(-0.66, -0.04, "3", COLOURS["3"]), label(0.02, 0.05, "JKR", "#1b1d20"),
+              label(0.2, -2.05, "DMT", "#1b1d20")]
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="100%">{"".join(parts)}</svg>'
