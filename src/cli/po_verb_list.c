@@ -31,10 +31,10 @@ static const po_option OPTIONS[] = {PO_TEXT("suite", list_line, suites, "names o
                                     PO_FLAG("json", list_line, json),
                                     {0}};
 
-/* Whether a check of the case has the table as its reference. */
+/* Whether a check of the case has the table, or a row of it, as its reference. */
 static bool uses(const po_case *kase, const char *name) {
   for (unsigned i = 0; i < kase->file->checks_count; ++i)
-    if (strcmp(kase->file->checks[i].reference, name) == 0)
+    if (strcmp(po_reference_file(kase->file->checks[i].reference).text, name) == 0)
       return true;
   return false;
 }

@@ -18,10 +18,10 @@ uses = {}
 for path in sorted(glob.glob(os.path.join(root, "cases", "*.yaml"))):
     text = open(path, encoding="utf-8").read()
     section = re.search(r"^checks:\n((?:[ #].*\n|\n|- .*\n)*)", text, re.MULTILINE)
-    for name in re.findall(r"reference: *([^,}\s]+)", section.group(1) if section else ""):
+    for name in re.findall(r'reference: *"?([^,}\s#"]+)', section.group(1) if section else ""):
         uses.setdefault(name, set()).add(re.search(r"^name: *(\S+)", text, re.MULTILINE).group(1))
 tables = {}
-for pattern in ("reference/*.csv", "reference/published/*.csv"):
+for pattern in ("reference/*.csv", "reference/published/*.csv", "reference/sheet/*.csv"):
     for path in glob.glob(os.path.join(root, pattern)):
         lines = open(path, encoding="utf-8").read().splitlines()
         head = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# ") and ": " in line)

@@ -31,7 +31,7 @@ typedef enum { PO_LEDGER_ORACLE, PO_LEDGER_PUBLISHED, PO_LEDGER_PIN } po_ledger;
 
 typedef struct {
   const char *name; /* as in the case file */
-  const char *row;  /* PROBLEM:QUANTITY of a row of a table, part of the name; NULL: a whole table */
+  const char *row; /* PROBLEM:QUANTITY of a row of a table, part of the name; NULL: a whole table */
   po_ledger ledger;
   po_reference_type type;
   po_file_path path;             /* of the file of pins; "" for other references */
