@@ -59,6 +59,31 @@ START_TEST(contact_radius_of_the_pull_off) {
 }
 END_TEST
 
+/* A row by its name, whatever the scene; its note has the correct digits. */
+static const struct {
+  double force;
+  po_verdict verdict;
+  const char *note;
+} ROW_FORCES[] = {{2.0, PO_WITHIN, "9.0 of 9 digits"},
+                  {2.0 + 2e-7, PO_WITHIN, "7.0 of 9 digits"},
+                  {1.0, PO_OUTSIDE, "0.3 of 9 digits"},
+                  {5.0, PO_OUTSIDE, "0.0 of 9 digits"}};
+
+START_TEST(row_by_its_name) {
+  write_table("", "problem,quantity,value,digits,half_width\n"
+                  "hard-0.1,force,3,9,1e-9\neasy,force,2,9,1e-9\neasy,radius,4,9,1e-9\n");
+  load("pull_off_force", "\"table.csv#easy:force\"", "1e-3", "abs");
+  const po_result result = {.has_pull_off = true, .pull_off = {.force = ROW_FORCES[_i].force}};
+  compare(0, &result);
+  ck_assert_uint_eq(check_results.count, 1);
+  ck_assert_double_eq(check_results.items[0].expected, 2);
+  ck_assert_double_eq(check_results.items[0].uncertainty, 1e-9);
+  ck_assert_int_eq(check_results.items[0].verdict, ROW_FORCES[_i].verdict);
+  ck_assert_str_eq(check_results.items[0].note, ROW_FORCES[_i].note);
+  ck_assert_str_eq(check_results.items[0].id, "pull_off_force/easy:force/tabor=1");
+}
+END_TEST
+
 START_TEST(failed_solve_has_no_result) {
   load("pull_off_force", "bradley", "1", "abs");
   const po_result result = {.status = PO_STEP_TOO_SMALL,
@@ -223,6 +248,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, force_within_and_outside, 0, (int)(sizeof FORCES / sizeof *FORCES));
   tcase_add_loop_test(tests, contact_radius_of_the_pull_off, 0,
                       (int)(sizeof RADII / sizeof *RADII));
+  tcase_add_loop_test(tests, row_by_its_name, 0, (int)(sizeof ROW_FORCES / sizeof *ROW_FORCES));
   tcase_add_test(tests, failed_solve_has_no_result);
   tcase_add_loop_test(tests, tolerance_tighter_than_the_reference, 0,
                       (int)(sizeof TIGHT / sizeof *TIGHT));

@@ -33,6 +33,25 @@ double po_compare_stated_error(po_quantity quantity, const po_result *result) {
   return po_block_number(&PO_PULL_OFF_ROWS, result, row->error);
 }
 
+/* Notes the correct digits, the log relative error, of a number that a row of a table certifies to
+ * a number of digits. */
+static po_status note_digits(const po_compare_input *c, po_check_result *item) {
+  const po_csv *table = &c->reference->table;
+  const int column = po_csv_find_column(table, "digits");
+  size_t row = 0;
+  double certified = 0;
+  if (column < 0 || !isfinite(item->error) ||
+      !po_reference_next_row(c->reference, &c->request, &row))
+    return PO_OK;
+  const po_status status = po_csv_number(table, row, (size_t)column, &certified);
+  const double error = fabs(item->error), correct = log10(fabs(item->expected) / error);
+  if (!status)
+    po_check_result_note(item, "%.1f of %g digits",
+                         error <= item->uncertainty ? certified : fmin(certified, fmax(0, correct)),
+                         certified);
+  return status;
+}
+
 static po_status compare_single(const po_compare_input *c) {
   const po_quantity quantity = c->check->quantity;
   const po_result *result = c->result;
@@ -54,7 +73,7 @@ static po_status compare_single(const po_compare_input *c) {
     item->approach = result->pull_off.approach;
     item->load = -result->pull_off.force;
   }
-  return PO_OK;
+  return c->reference->row ? note_digits(c, item) : PO_OK;
 }
 
 static po_status compare_planes(const po_result *result, const po_special_point *theirs,

@@ -16,7 +16,7 @@ static void table_line(const po_case_run *run, const po_finding *finding, po_tex
   const po_check_result *item = finding->item;
   char obtained[PO_NUMBER_LENGTH], expected[PO_NUMBER_LENGTH], ratio[PO_NUMBER_LENGTH];
   const bool curve = item->check->quantity == PO_CURVE;
-  const bool is_told = !finding->plain && item->note[0];
+  const bool is_told = (!finding->plain || item->reference->row) && item->note[0];
   po_text_add(
       text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->name, item->quantity,
       finding->label ? finding->label : "-",
