@@ -29,7 +29,7 @@ WORDS = {"pi": "π", "mu": "μ", "epsilon": "ε", "lambda": "λ", "alpha": "α",
          "tau_0": "τ<sub>0</sub>", "gamma": "γ", "gamma1": "γ<sub>1</sub>", "gamma2": "γ<sub>2</sub>",
          "gamma12": "γ<sub>12</sub>", "nu": "ν", "nu1": "ν<sub>1</sub>", "nu2": "ν<sub>2</sub>", "um": "µm", "uN": "µN",
          "int": "∫", "inf": "∞"}
-SHARED, LONG = 3, 45        # statements of a sentence that is printed once; its letters
+SHARED, LONG = 3, 35        # statements of a sentence that is printed once; its letters
 LEVELS = ["easy", "average", "hard", "extreme"]
 
 

@@ -48,7 +48,7 @@ def read_values(folder=HERE):
 def read_answers(path, known):
     """{(problem, quantity): number}. A name that the sheet does not have is an error: it is a misprint."""
     answers = {}
-    with open(path, encoding="utf-8", newline="") as stream:
+    with open(path, encoding="utf-8-sig", newline="") as stream:
         rows = csv.DictReader(line for line in stream if not line.startswith("#"))
         if not {"problem", "quantity", "value"} <= set(rows.fieldnames or []):
             raise ValueError(f"{path}: the columns problem, quantity and value are expected")

@@ -196,6 +196,17 @@ def test_misprints_are_errors(alone, rows, message):
     assert done.returncode == 1 and message in done.stderr and done.stdout == ""
 
 
+def test_a_file_of_a_spreadsheet(alone):
+    """A byte order mark, ends of lines of Windows, spaces, comments, more columns and another order are no matter."""
+    folder, run = alone
+    lines = ["\ufeff# by a program", "seconds,value,problem,quantity", f"0.1, {VALUES['law-dmt', 'pull_off_force']['value']} , law-dmt ,pull_off_force"]
+    (folder / "answers.csv").write_bytes("\r\n".join(lines).encode())
+    done = run("answers.csv", "--json")
+    assert done.returncode == 0, done.stderr
+    record = next(one for one in json.loads(done.stdout)["problems"] if one["problem"] == "law-dmt")
+    assert record["quantities"]["pull_off_force"] == 10
+
+
 def test_wrong_columns_and_no_file_are_errors(alone):
     folder, run = alone
     (folder / "answers.csv").write_text("id,name,value\n")
