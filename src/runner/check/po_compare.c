@@ -44,7 +44,7 @@ static po_status note_digits(const po_compare_input *c, po_check_result *item) {
       !po_reference_next_row(c->reference, &c->request, &row))
     return PO_OK;
   const po_status status = po_csv_number(table, row, (size_t)column, &certified);
-  const double error = fabs(item->error), correct = log10(fabs(item->expected) / error);
+  const double error = fabs(item->error), correct = po_log10(fabs(item->expected) / error);
   if (!status)
     po_check_result_note(item, "%.1f of %g digits",
                          error <= item->uncertainty ? certified : fmin(certified, fmax(0, correct)),
