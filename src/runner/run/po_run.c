@@ -106,7 +106,7 @@ typedef struct {
   po_status status;          /* of that failure */
   char message[512];         /* of that failure; po_fail stores messages by thread */
   size_t starved;            /* number of solves that ended for lack of memory */
-  char starved_message[512]; /* of the first of them */
+  char starved_message[768]; /* of the first of them */
 } po_crew;
 
 static bool must_end(const po_crew *crew) {
