@@ -82,14 +82,32 @@ static po_status take_error(const char *name, void *error) {
 
 enum { LONGEST_NAME = 60 };
 
+/* The words of C and C++ that are written as names are. */
+static const char RESERVED[] =
+    " alignas alignof and asm auto bool break case catch char class concept const constexpr "
+    "continue decltype default delete do double else enum explicit export extern false float for "
+    "friend goto if inline int long main mutable namespace new noexcept not nullptr operator or "
+    "private protected public register requires restrict return short signed sizeof static struct "
+    "switch template this throw true try typedef typeid typename union unsigned using virtual void "
+    "volatile while xor ";
+
+static bool is_reserved(const char *name) {
+  char word[LONGEST_NAME + 3];
+  snprintf(word, sizeof word, " %.*s ", LONGEST_NAME, name);
+  return strstr(RESERVED, word);
+}
+
 static po_status take_name(const char *name, void *value) {
   const char *c = optarg;
   while (isalnum((unsigned char)*c) || *c == '_')
     ++c;
   *(const char **)value = optarg;
-  return c > optarg && !*c && !isdigit((unsigned char)*optarg) && c - optarg <= LONGEST_NAME
+  return c > optarg && !*c && !isdigit((unsigned char)*optarg) && c - optarg <= LONGEST_NAME &&
+                 !is_reserved(optarg)
              ? PO_OK
-             : po_options_refuse(name, optarg, "letters, digits and _, at most 60, no digit first");
+             : po_options_refuse(name, optarg,
+                                 "letters, digits and _, at most 60, no digit first, and no word "
+                                 "of C or C++");
 }
 
 /* Beside the options of keys. */
