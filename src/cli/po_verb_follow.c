@@ -23,7 +23,9 @@ static const char HELP[] =
     "pi w epsilon for a profile without a radius. The approach is positive when the bodies are\n"
     "pressed together, the load when it is compressive. The minimum of the load that is followed "
     "is\n"
-    "the same through every spring: --stiffness and --stiffness-n-per-m are refused.\n"
+    "the same through every spring: --stiffness and --stiffness-n-per-m are refused. Every scene "
+    "of\n"
+    "a viscoelastic body is loaded and unloaded.\n"
     "\n"
     "Series:\n"
     "  --key KEY               parameter that varies:\n"
@@ -60,6 +62,8 @@ static const char HELP[] =
     "\n" PO_SCENE_OPTIONS_HELP "\n"
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
     "             --wavelength 20 --outer-radius 100\n"
+    "Example: pulloff follow --key unload-speed --from 1e-4 --to 1e4 --points 25 --tabor 3 \\\n"
+    "             --preload 5 --viscoelastic sls:0.1\n"
     "Example: pulloff follow --from-physical --key radius-m --from 1e-7 --to 1e-6 --points 10 \\\n"
     "             --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10\n";
 

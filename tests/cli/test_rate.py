@@ -11,6 +11,11 @@ from conftest import document, expect, run
 SOLID = "--viscoelastic sls:0.1 --unload-speed"
 
 
+def table_of(path):
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    return list(csv.DictReader(io.StringIO("\n".join(lines))))
+
+
 def energies(point):
     return sum(point["energies"][name] for name in ("stored", "adhesive", "spring"))
 
@@ -55,8 +60,7 @@ def test_the_history_is_a_table(tmp_path):
     words = f"solve --tabor 0.5 --preload 3 {SOLID} 2 --stiffness 1"
     found = document(f"{words} --want history")
     expect(0, "", f"{words} --history {path}")
-    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
-    rows = list(csv.DictReader(io.StringIO("\n".join(lines))))
+    rows = table_of(path)
     points = found["unloading"]["history"]
     assert len(rows) == len(points) == found["unloading"]["steps"]
     for row, point in zip(rows, points):
@@ -119,8 +123,40 @@ sweep:
 checks:
   - {quantity: pull_off_force, reference: forces.csv, tolerance: 1e-5, kind: abs, because: both limits are elastic}
 """)
+    expect(0, "*", f"run {case} --output {tmp_path / 'out'} --summary {tmp_path / 'summary.csv'}")
     ended = run(f"verify {case} --output {tmp_path / 'out'}")
     assert ended.code == 0, ended.err + ended.out
+    plan = run(f"plan {case}").out
+    assert "solve 2 viscoelastic scenes: each loaded slowly to the preload" in plan
+    assert "no steps in time for 2 of these" in plan and "find on each branch" not in plan and "end each branch" not in plan
+    for speed, row in zip(("0", "inf"), table_of(tmp_path / "summary.csv")):
+        found = document(f"solve --tabor 1 --preload 3 --viscoelastic sls:0.2 --unload-speed {speed}")["unloading"]
+        for name, energy in (("unloading_work", "work"), ("dissipated", "dissipated"), ("lost_in_jumps", "jumps")):
+            assert float(row[name]) == found["end"]["energies"][energy]
+            assert float(row[f"{name}_error"]) == found["error_estimate"][energy]
+
+
+def test_a_series_of_speeds_is_what_solves_give(tmp_path):
+    words, path = "--tabor 1 --preload 3 --viscoelastic sls:0.1", tmp_path / "speeds.csv"
+    expect(0, "", f"follow --key unload-speed --from 1e-4 --to 1e4 --points 3 {words} --curve {path}")
+    rows = table_of(path)
+    assert [float(row["unload_speed"]) for row in rows] == pytest.approx([1e-4, 1.0, 1e4])
+    for row in rows:
+        found = document(f"solve {words} --unload-speed {row['unload_speed']}")
+        unloading = found["unloading"]
+        assert float(row["force"]) == found["pull_off"]["force"] and float(row["time"]) == unloading["time"]
+        assert float(row["dissipated"]) == unloading["end"]["energies"]["dissipated"]
+        assert float(row["lost_in_jumps_error"]) == unloading["error_estimate"]["jumps"]
+    expect(2, "*folds are not followed from scene 1 to the next: *no viscoelastic body",
+           f"follow --key unload-speed --from 1 --to 2 --points 2 --of folds {words}")
+
+
+def test_a_series_of_speeds_in_si_units():
+    scene = "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8 --preload-m 6e-10"
+    ends = document(f"follow --key unload-speed-m-per-s --from 3e-9 --to 3e-5 --points 2 {scene} --viscoelastic sls:0.2 "
+                    "--relaxation-time-s 1e-3")["points"]
+    assert [point["input"]["unload_speed"] for point in ends] == pytest.approx([0.01, 100.0], rel=1e-12)
+    assert ends[1]["pull_off"]["force"] > 2.0 * ends[0]["pull_off"]["force"]
 
 
 def test_a_table_has_elastic_and_viscoelastic_bodies(tmp_path):

@@ -274,7 +274,8 @@ po_status po_options_refuse_stiffness(const char *option, void *line) {
   return po_fail(PO_BAD_INPUT,
                  "--%s has no effect here: the pull-off force is that of a minimum of the load, "
                  "which is the same through every spring, and a spring decides only which preload "
-                 "leads to it; expected pulloff solve --want preload with the stiffness",
+                 "leads to it; expected pulloff solve with the stiffness, and --want preload or "
+                 "--viscoelastic",
                  option);
 }
 

@@ -18,11 +18,11 @@ enum { PO_CHECKPOINT_EVERY = 15 };
  * that differ in keys of the scene only; checkpoint_every, at least 1, the largest number of scenes
  * from one checkpoint to the next. Minima are followed between two scenes if both are elastic and
  * on panels, both wavy or both smooth, both bounded or both unbounded, and only the pull-off is
- * wanted; other scenes are traced. Returned: a result for each scene, to be cleared whatever the
- * status. The member `followed` is true if the pull-off was followed; the result then contains the
- * pull-off with its error estimates, and the work, including that of minima which are not the
- * deepest, but no folds, extrema, start or end. Status: PO_INTERRUPTED, PO_NO_MEMORY; a trace that
- * fails does not fail the series. */
+ * wanted; other scenes, as those of a viscoelastic body, are traced. Returned: a result for each
+ * scene, to be cleared whatever the status. The member `followed` is true if the pull-off was
+ * followed; the result then contains the pull-off with its error estimates, and the work, including
+ * that of minima which are not the deepest, but no folds, extrema, start or end. Status:
+ * PO_INTERRUPTED, PO_NO_MEMORY; a trace that fails does not fail the series. */
 po_status po_series_pull_offs(const po_request *requests, size_t count, size_t checkpoint_every,
                               po_result *results);
 

@@ -86,10 +86,11 @@ static po_status solve(const po_series_scenes *l) {
   const po_request *requests = l->requests;
   for (size_t k = 0; k + 1 < l->count; ++k)
     if (!po_series_alike(&requests[k], &requests[k + 1]))
-      return po_fail(PO_BAD_INPUT,
-                     "folds are not followed from scene %zu to the next: expected both "
-                     "wavy or both smooth, both bounded or both unbounded",
-                     k + 1);
+      return po_fail(
+          PO_BAD_INPUT,
+          "folds are not followed from scene %zu to the next: expected both "
+          "wavy or both smooth, both bounded or both unbounded, and no viscoelastic body",
+          k + 1);
   po_kept_points f = {.minima = false};
   po_status status = po_solve_kept(&requests[0], &f, &l->results[0]);
   if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)

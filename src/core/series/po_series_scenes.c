@@ -79,6 +79,7 @@ static bool has_usual_domain(const po_request *request) {
 
 bool po_series_alike(const po_request *a, const po_request *b) {
   return a->mesh.scheme == PO_PANEL && b->mesh.scheme == PO_PANEL && !a->want && !b->want &&
+         a->creep.kind == PO_CREEP_NONE && b->creep.kind == PO_CREEP_NONE &&
          a->mesh.tolerance == b->mesh.tolerance && isnan(a->approach_end) &&
          isnan(b->approach_end) && is_same(a->preload.approach, b->preload.approach) &&
          is_same(a->preload.load, b->preload.load) &&

@@ -39,6 +39,8 @@ typedef struct {
   size_t points, rigid, smooth;
   size_t bounded; /* outer_radius is finite */
   size_t to_end;  /* approach_end is given */
+  size_t creep;   /* viscoelastic */
+  size_t limits;  /* of these, at the speeds 0 and inf */
 } point_counts;
 
 static point_counts count_properties(const po_case *kase) {
@@ -48,7 +50,10 @@ static point_counts count_properties(const po_case *kase) {
     count.rigid += po_request_size(request).nodes ? 0 : 1;
     count.smooth += po_scene_is_wavy(&request->scene) ? 0 : 1;
     count.bounded += isfinite(request->scene.outer_radius) ? 1 : 0;
-    count.to_end += isnan(request->approach_end) ? 0 : 1;
+    const bool creeps = request->creep.kind != PO_CREEP_NONE;
+    count.to_end += isnan(request->approach_end) || creeps ? 0 : 1;
+    count.creep += creeps;
+    count.limits += creeps && (request->unload_speed == 0.0 || isinf(request->unload_speed));
   }
   return count;
 }
@@ -72,14 +77,30 @@ static void tell_sample(const po_plan *plan, json_t **lines) {
   }
 }
 
+/* Viscoelastic bodies. Given: their number, and how many of them are at the speeds 0 and inf. */
+static void tell_marches(size_t count, size_t limits, json_t **lines) {
+  if (count)
+    say(lines,
+        "solve %zu viscoelastic %s: each loaded slowly to the preload, and unloaded by three "
+        "marches in time, whose differences bound the errors: one with half as long steps, and one "
+        "on coarser panels",
+        count, scenes(count));
+  if (limits)
+    say(lines, "no steps in time for %zu of these: at the speeds 0 and inf the body is elastic",
+        limits);
+}
+
 static void tell_scenes(const po_plan *plan, json_t **lines) {
   const po_case *kase = plan->kase;
   const po_traced_words *traced = kase->file->traced;
   const point_counts n = count_properties(kase);
   const size_t elastic = n.points - n.rigid, unbounded = n.points - n.bounded;
-  const bool series = kase->series_length > 1;
-  say(lines, "solve %zu %s: each traced as one branch from large separation%s", n.points,
-      scenes(n.points), series ? ", or computed by parameter continuation" : "");
+  const size_t traced_whole = n.points - n.creep;
+  const bool series = kase->series_length > 1 && traced_whole;
+  if (traced_whole)
+    say(lines, "solve %zu %s: each traced as one branch from large separation%s", traced_whole,
+        scenes(traced_whole), series ? ", or computed by parameter continuation" : "");
+  tell_marches(n.creep, n.limits, lines);
   if (series)
     say(lines,
         "continue the pull-off in %s along %zu series of %zu scenes; every %zu scenes one is "
@@ -96,13 +117,14 @@ static void tell_scenes(const po_plan *plan, json_t **lines) {
         "no influence matrix for %zu rigid %s: elasticity would change the load by less than 1e-8",
         n.rigid, scenes(n.rigid));
   if (elastic)
-    say(lines, "one influence matrix for each of %zu elastic %s", elastic, scenes(elastic));
+    say(lines, "one influence matrix for each of %zu %s %s", elastic,
+        n.creep ? "deformable" : "elastic", scenes(elastic));
   if (n.smooth)
     say(lines, "no waviness for %zu smooth %s: amplitude is 0", n.smooth, scenes(n.smooth));
   if (unbounded)
     say(lines, "add the load beyond the mesh for %zu %s: outer_radius is inf", unbounded,
         scenes(unbounded));
-  if (n.to_end < n.points)
+  if (n.to_end < traced_whole)
     say(lines, plan->want & PO_WANT_PRELOAD
                    ? "end each branch where no harder preload gives a greater pull-off force"
                    : "end each branch at the preload: the case does not want other preloads");
@@ -121,9 +143,14 @@ static void tell_left_out(const po_plan *plan, json_t **lines) {
 static void tell_wants(const po_plan *plan, json_t **lines) {
   const po_case *kase = plan->kase;
   const po_case_file *file = kase->file;
-  say(lines, kase->series_length > 1
-                 ? "no folds or extrema: parameter continuation delivers only the pull-off"
-                 : "find on each branch: pull-off, folds, extrema of the load");
+  const point_counts n = count_properties(kase);
+  if (n.creep)
+    say(lines,
+        "find of each viscoelastic scene: pull-off, energies and losses; no folds or extrema");
+  if (n.creep < n.points)
+    say(lines, kase->series_length > 1
+                   ? "no folds or extrema: parameter continuation delivers only the pull-off"
+                   : "find on each branch: pull-off, folds, extrema of the load");
   if (plan->want & PO_WANT_CURVE)
     say(lines, "keep the points of the branch: %s",
         kase->want & PO_WANT_CURVE ? "the case wants the curve" : "the curve is compared");

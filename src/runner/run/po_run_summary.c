@@ -12,26 +12,34 @@
 #include "po_si.h"
 #include "po_tables.h"
 
-/* The numbers of a point: their column and path; those of a loop begin with its path. */
+/* The numbers of a point: their column and path; those of a loop begin with its path. Those of a
+ * viscoelastic body are in a summary in which there is one. */
 static const struct {
   const char *name, *path;
-  bool of_loop;
-} COLUMNS[] = {{"force", "pull_off.force", false},
-               {"force_error", "pull_off.error_estimate", false},
-               {"approach", "pull_off.approach", false},
-               {"approach_error", "pull_off.approach_error_estimate", false},
-               {"contact_radius", "pull_off.contact_radius", false},
-               {"contact_radius_error", "pull_off.contact_radius_error_estimate", false},
-               {"energy_lost", "energy_lost", true},
-               {"energy_lost_error", "energy_lost_error_estimate", true},
-               {"work", "work", true},
-               {"work_error", "work_error_estimate", true}};
-enum { COLUMN_COUNT = sizeof COLUMNS / sizeof *COLUMNS };
+  bool of_loop, of_rate;
+} COLUMNS[] = {{"force", "pull_off.force", false, false},
+               {"force_error", "pull_off.error_estimate", false, false},
+               {"approach", "pull_off.approach", false, false},
+               {"approach_error", "pull_off.approach_error_estimate", false, false},
+               {"contact_radius", "pull_off.contact_radius", false, false},
+               {"contact_radius_error", "pull_off.contact_radius_error_estimate", false, false},
+               {"energy_lost", "energy_lost", true, false},
+               {"energy_lost_error", "energy_lost_error_estimate", true, false},
+               {"work", "work", true, false},
+               {"work_error", "work_error_estimate", true, false},
+               {"unloading_work", "unloading.end.energies.work", false, true},
+               {"unloading_work_error", "unloading.error_estimate.work", false, true},
+               {"dissipated", "unloading.end.energies.dissipated", false, true},
+               {"dissipated_error", "unloading.error_estimate.dissipated", false, true},
+               {"lost_in_jumps", "unloading.end.energies.jumps", false, true},
+               {"lost_in_jumps_error", "unloading.error_estimate.jumps", false, true}};
+enum { ALL_COLUMNS = sizeof COLUMNS / sizeof *COLUMNS, RATE_COLUMNS = 6 };
 
 typedef struct {
   const po_case_run *runs;
   size_t count;
-  json_t *keys; /* those that vary in any case, as members of an object */
+  size_t columns; /* the first ones of COLUMNS */
+  json_t *keys;   /* those that vary in any case, as members of an object */
   po_text rows;
 } summary;
 
@@ -63,7 +71,7 @@ static void add_names(summary *s) {
   po_text_add(&s->rows, "case,point");
   json_object_foreach(s->keys, key, value) po_text_add(&s->rows, ",%s", key);
   po_text_add(&s->rows, ",status");
-  for (size_t c = 0; c < COLUMN_COUNT; ++c) {
+  for (size_t c = 0; c < s->columns; ++c) {
     const po_si_unit unit = unit_of(s, s->runs->plan->kase, 0, c);
     po_text_add(&s->rows, ",%s%s%s", COLUMNS[c].name, *unit.name ? "_" : "", unit.name);
   }
@@ -94,14 +102,23 @@ static void add_point(summary *s, const po_case_run *run, size_t index) {
       add_value(&s->rows, json_object_get(json_object_get(entry, "sweep"), key));
   json_decref(entry);
   po_text_add(&s->rows, ",%s,", po_status_name(result->status));
-  double row[COLUMN_COUNT];
-  for (size_t c = 0; c < COLUMN_COUNT; ++c) {
+  double row[ALL_COLUMNS];
+  for (size_t c = 0; c < s->columns; ++c) {
     char path[80];
     path_of(c, result, path);
     const po_si_unit unit = unit_of(s, kase, index, c);
     row[c] = po_si_value(&unit, po_block_number(&PO_ALL_ROWS, result, path));
   }
-  po_csv_add_row(&s->rows, row, COLUMN_COUNT);
+  po_csv_add_row(&s->rows, row, s->columns);
+}
+
+/* The number of columns of a summary: those of a viscoelastic body are the last ones. */
+static size_t count_columns(const po_case_run *runs, size_t count) {
+  for (size_t r = 0; r < count; ++r)
+    for (size_t k = 0; k < runs[r].plan->kase->point_count; ++k)
+      if (runs[r].plan->kase->points[k].request.creep.kind != PO_CREEP_NONE)
+        return ALL_COLUMNS;
+  return ALL_COLUMNS - RATE_COLUMNS;
 }
 
 /* Finds the keys that vary, and checks that all cases have the same kind of units. */
@@ -126,7 +143,7 @@ static po_status find_keys(summary *s) {
 }
 
 po_status po_run_summary_write(const char *path, const po_case_run *runs, size_t count) {
-  summary s = {.runs = runs, .count = count};
+  summary s = {.runs = runs, .count = count, .columns = count_columns(runs, count)};
   po_status status = find_keys(&s);
   if (!status && count) {
     po_text header = {0};
@@ -137,11 +154,14 @@ po_status po_run_summary_write(const char *path, const po_case_run *runs, size_t
           add_point(&s, &runs[r], k);
     po_text_add(&header,
                 "# what: pull-offs of the points of a run, with the energy lost in loading "
-                "and unloading\n# units: %s; errors are estimated bounds; nan: not known\n",
+                "and unloading\n# units: %s; errors are estimated bounds; nan: not known%s\n",
                 runs->plan->kase->is_physical
                     ? "SI, at the end of the name of each column"
                     : "lengths in epsilon; force in pi w R, of a profile without a radius in pi w "
-                      "epsilon; energies in these times epsilon");
+                      "epsilon; energies in these times epsilon",
+                s.columns < ALL_COLUMNS ? ""
+                                        : "; unloading_work: by the base that unloads a "
+                                          "viscoelastic body");
     status = po_tables_write_rows(path, &header, &s.rows);
     po_text_clear(&header);
   }

@@ -20,6 +20,7 @@ typedef struct {
   const char *name, *path;
   bool metric;    /* in the metric of the solver, which has no SI unit: not in tables in SI units */
   bool of_spring; /* only in tables of a scene with a spring */
+  bool of_rate;   /* only in tables of a viscoelastic body */
 } column;
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 
@@ -74,16 +75,22 @@ static const column LOOP[] = {{"phase", "phase"},
                               {"stiffness", "stiffness"},
                               {"energy_lost", "energy_lost"}};
 
-static const column SERIES[] = {{"force", "pull_off.force"},
-                                {"force_error", "pull_off.error_estimate"},
-                                {"approach", "pull_off.approach"},
-                                {"approach_error", "pull_off.approach_error_estimate"},
-                                {"contact_radius", "pull_off.contact_radius"},
-                                {"contact_radius_error", "pull_off.contact_radius_error_estimate"},
-                                {"followed", "followed"}};
+static const column SERIES[] = {
+    {"force", "pull_off.force"},
+    {"force_error", "pull_off.error_estimate"},
+    {"approach", "pull_off.approach"},
+    {"approach_error", "pull_off.approach_error_estimate"},
+    {"contact_radius", "pull_off.contact_radius"},
+    {"contact_radius_error", "pull_off.contact_radius_error_estimate"},
+    {"followed", "followed"},
+    {"time", "unloading.time", .of_rate = true},
+    {"dissipated", "unloading.end.energies.dissipated", .of_rate = true},
+    {"dissipated_error", "unloading.error_estimate.dissipated", .of_rate = true},
+    {"lost_in_jumps", "unloading.end.energies.jumps", .of_rate = true},
+    {"lost_in_jumps_error", "unloading.error_estimate.jumps", .of_rate = true}};
 
 enum { MOST_COLUMNS = LENGTH(HISTORY) };
-_Static_assert(LENGTH(HISTORY) >= LENGTH(STEP), "");
+_Static_assert(LENGTH(HISTORY) >= LENGTH(STEP) && LENGTH(HISTORY) >= LENGTH(SERIES), "");
 
 /* A table of lists of a result: its columns, the lists with the text before each row, and what its
  * headers say. */
@@ -181,7 +188,8 @@ static bool has_column(const layout *l, size_t c, const po_units *own, po_si_uni
                      (unit->factor / po_si_unit_of(&request->units, row->dimension).factor);
   }
   return !(request->in_si && l->column[c].metric) &&
-         !(l->column[c].of_spring && isnan(request->stiffness));
+         !(l->column[c].of_spring && isnan(request->stiffness)) &&
+         !(l->column[c].of_rate && request->creep.kind == PO_CREEP_NONE);
 }
 
 static void add_names(po_text *rows, const char *before, const layout *l) {
@@ -326,13 +334,18 @@ po_status po_tables_write_smoothed(const char *path, const po_request *request) 
 po_status po_tables_write_series(const char *path, const char *key, const double *values,
                                  const po_request *requests, const po_result *results,
                                  size_t count) {
-  const layout l = {SERIES, LENGTH(SERIES), &PO_RESULT_ROWS, requests};
+  const layout l = {SERIES, LENGTH(SERIES), &PO_ALL_ROWS, requests};
+  const bool creeps = requests->creep.kind != PO_CREEP_NONE;
   po_text rows = {0};
-  char units[120] = "SI, at the end of the name of each column; errors are estimated bounds";
-  if (!requests->in_si)
-    snprintf(units, sizeof units,
-             "approach and contact_radius in epsilon; force in %s; errors are estimated bounds",
-             po_input_load_unit(requests));
+  char units[240];
+  snprintf(units, sizeof units, "%s%s%s; errors are estimated bounds%s",
+           requests->in_si ? "SI, at the end of the name of each column"
+                           : "approach and contact_radius in epsilon; force in ",
+           requests->in_si ? "" : po_input_load_unit(requests),
+           !creeps           ? ""
+           : requests->in_si ? ", but for the time in tau_0"
+                             : ", energies in that times epsilon; time in tau_0",
+           creeps ? "; time: from the preload to the pull-off, nan at the speeds 0 and inf" : "");
   for (const char *c = key; *c; ++c)
     po_text_add(&rows, "%c", *c == '-' ? '_' : *c);
   add_names(&rows, ",", &l);
