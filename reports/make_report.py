@@ -40,6 +40,8 @@ def arguments(words):
                         help="judged claims of the paper (default: claims/claims.json beside the run)")
     parser.add_argument("--cost", metavar="FILE",
                         help="measured cost of equilibria (default: cost/cost.json beside the run)")
+    parser.add_argument("--rate", metavar="FILE",
+                        help="judged table of viscoelastic pull-offs (default: rate/table.json beside the run)")
     parser.add_argument("--fresh", action="store_true",
                         help="write the report again even if no input has changed")
     return parser.parse_args(words)
@@ -119,7 +121,7 @@ def refusing(run):
 
 def make(wanted):
     try:
-        from pulloff_report import claims, cost, faults, gnuplot, page, records, references, tree, tree_tests
+        from pulloff_report import claims, cost, faults, gnuplot, page, rate, records, references, tree, tree_tests
         import weasyprint  # noqa: F401
     except ImportError as error:
         raise ReportError(f"Python module {error.name} is missing: install numpy, scipy, "
@@ -127,18 +129,19 @@ def make(wanted):
     gnuplot.require()
     run = records.Run(wanted.run)
     # What lies beside a run is about the cases of the paper: a run of other cases does not show it.
-    matrix, judged, measured, tested = (
+    matrix, judged, measured, rows, tested = (
         module.read(path or (module.beside(wanted.run) if run.is_of_paper else None)) for module, path in (
-            (faults, wanted.faults), (claims, wanted.claims), (cost, wanted.cost), (tree_tests, None)))
+            (faults, wanted.faults), (claims, wanted.claims), (cost, wanted.cost), (rate, wanted.rate),
+            (tree_tests, None)))
     live = live_figures(os.path.join(wanted.output, "live.html"))
     program = os.path.join(os.path.dirname(os.path.abspath(wanted.run)), "src", "cli", "pulloff")
     identity = tree.identity(SOURCE, program if os.path.isfile(program) else None)
-    key = content_key([matrix, judged, measured, tested, live, identity], wanted.run, wanted.reference)
+    key = content_key([matrix, judged, measured, rows, tested, live, identity], wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")
         return
     with refusing(wanted.run):
-        content = page.contents(run, references.References(wanted.reference), matrix, judged, measured, tested)
+        content = page.contents(run, references.References(wanted.reference), matrix, judged, measured, tested, rows)
         html, pdf = page.forms(dict(content, live=live, identity=tree.words(identity)))
     write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
     print(f"made: {os.path.join(wanted.output, 'report.html')} and report.pdf")

@@ -45,9 +45,9 @@ def with_bars(page):
                   lambda found: found[1] or f'<span class="over">{found[2]}</span>', page)
 
 
-def contents(run, references, faults=None, claims=None, cost=None, tests=None):
+def contents(run, references, faults=None, claims=None, cost=None, tests=None, rate=None):
     """All that either form of the report shows. What a run of the paper lacks is named on the first page."""
-    built = sections.build_all(sections.Source(run, references, faults, claims, cost))
+    built = sections.build_all(sections.Source(run, references, faults, claims, cost, rate))
     found = findings.build(run, {section.id: section.data for section in built}, claims, faults, identity.compare(run, references), tests)
     shown = [section for section in built if not section.absent]
     letter_figures([found["speed"] or {}] + [section.data for section in shown])

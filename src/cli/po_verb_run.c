@@ -7,7 +7,7 @@ static const char HELP[] =
     "Solves the points of cases and writes a record of each case. Points that an earlier run\n"
     "solved are reused if their case, reference tables and program are unchanged. CASE is a name\n"
     "(see pulloff list) or the path of a YAML file. Without CASE and --suite, all cases are taken\n"
-    "except those of random and theories, which take long.\n"
+    "except those of random, theories and rate, which take long.\n"
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --output DIR      folder to which the records are written (default "

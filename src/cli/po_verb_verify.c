@@ -23,7 +23,7 @@ static const char HELP[] =
     "differs from the stored one by more than 1e-9. Without CASE, all reference tables are "
     "checked\n"
     "first. CASE is a name (see pulloff list) or the path of a YAML file. Without CASE and\n"
-    "--suite, all cases are taken except those of random and theories, which take long.\n"
+    "--suite, all cases are taken except those of random, theories and rate, which take long.\n"
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP

@@ -163,6 +163,21 @@ asked 'cost build/cost/cost.json'
 asked 'report .*'
 not_asked '^verify'
 
+# The published rows are judged if their folder is given, and only then.
+refused '--data needs the name of a folder' --only rate --data
+refused "--data is $work/none: no such folder" --only rate --data "$work/none"
+refused '--data has no effect without --only rate' --only cost --data "$work"
+mkdir -p "$tree/reports/rate"
+printf 'import sys\nopen("asked", "a").write("rows " + " ".join(sys.argv[1:]) + "\\n")\nprint("judged rows")\n' >"$tree/reports/rate/judge.py"
+printf 'name: rate_wavy\nsuites: [rate]\n' >"$tree/cases/rate_wavy.yaml"
+reproduce 0 --no-install --only rate
+asked 'verify rate_wavy --output build/run'
+not_asked '^rows'
+reproduce 0 --no-install --only rate --data "$work" --jobs 3
+asked "rows build/src/cli/pulloff $work build/rate --jobs 3"
+check 'the verdicts of the rows are printed' grep -q -x 'judged rows' "$work/stdout"
+rm "$tree/cases/rate_wavy.yaml"
+
 # The page with the solver is made if it is asked for; once it exists, with every report, and before it.
 mkdir -p "$tree/reports/live"
 printf '#!/bin/sh\necho "page $*" >>asked\nmkdir -p build/live\necho page >build/live/live.html\n' >"$tree/reports/live/build.sh"

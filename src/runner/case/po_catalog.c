@@ -140,7 +140,7 @@ static po_status move(po_catalog *from, const char *name, po_catalog *to) {
 }
 
 /* The suites that run only when they are named, because they take long. */
-static const char LONG[] = "random,theories";
+static const char LONG[] = "random,theories,rate";
 
 /* Reports whether a list of names, separated by commas, contains the first `length` characters of
  * `name`. */
