@@ -38,7 +38,8 @@ static const char HELP[] =
     "is\n"
     "                          rigid, dmt, jkr, maugis, carpick-ogletree-salmeron,\n"
     "                          pietrement-troyon, schwarz, guduru, kesari-lew, persson-tosatti or\n"
-    "                          rumpf-rabinowicz\n"
+    "                          rumpf-rabinowicz; of a viscoelastic body jkr, persson-brener,\n"
+    "                          jkr-at-once or rigid-at-once\n"
     "  --plot FILE             draw the forces of the theories beside the computed one in FILE, "
     "which\n"
     "                          ends in .svg, .png or .pdf (needs gnuplot)\n"
@@ -55,9 +56,21 @@ static const po_option OPTIONS[] = {
     PO_SOLVE_LINE_OUTPUT,
     {0}};
 
+/* The row of a theory; NULL if the body has none. */
+static po_theory_row *row_of(const po_result *result, po_theory theory) {
+  for (size_t k = 0; k < result->theory_count; ++k)
+    if (result->theories[k].theory == theory)
+      return &result->theories[k];
+  return NULL;
+}
+
 /* Refuses a theory that cannot be evaluated for the scene. */
 static po_status check_row(const po_result *result, const po_theory *only) {
-  const po_theory_row *row = only ? &result->theories[*only] : NULL;
+  const po_theory_row *row = only ? row_of(result, *only) : NULL;
+  if (only && !row)
+    return po_fail(PO_BAD_INPUT, "theory %s cannot be evaluated: it is one of %s bodies",
+                   PO_THEORIES[*only].name,
+                   (int)*only < PO_THEORY_OF_RATE ? "elastic" : "viscoelastic");
   return row && isnan(row->force) ? po_fail(PO_BAD_INPUT, "theory %s cannot be evaluated: %s",
                                             PO_THEORIES[*only].name, row->reason)
                                   : PO_OK;
@@ -65,9 +78,9 @@ static po_status check_row(const po_result *result, const po_theory *only) {
 
 /* Leaves only the row of a theory, if one was named. */
 static void keep(po_result *result, const po_theory *only) {
-  if (!only || !result->theory_count)
+  if (!only || !row_of(result, *only))
     return;
-  result->theories[0] = result->theories[*only];
+  result->theories[0] = *row_of(result, *only);
   result->theory_count = 1;
 }
 

@@ -126,6 +126,10 @@ static po_status complete(law_line *line) {
     status = po_texts_check_waves(&line->scene.given);
   if (status)
     return status;
+  if (r->creep.kind != PO_CREEP_NONE)
+    return po_fail(PO_BAD_INPUT,
+                   "viscoelastic is given: expected elastic particles, whose force is a "
+                   "function of the overlap");
   po_scene_options_warn(&line->scene.given);
   if (isnan(r->preload.approach) && isnan(r->preload.load) && isnan(r->approach_end) &&
       po_profile_is_sphere(&r->scene.profile))

@@ -176,6 +176,27 @@ sweep: [{table: bodies.csv}]
     assert [point["sweep"]["viscoelastic"] for point in points] == [None, "sls:0.5"]
 
 
+@pytest.mark.parametrize("scene, held", [("--tabor 10 --preload 10 --unload-speed 0 --viscoelastic sls:0.1", ["jkr", "persson-brener"]),
+                                         ("--tabor 10 --preload 10 --unload-speed 1 --viscoelastic sls:0.1", ["persson-brener"]),
+                                         ("--tabor 6 --preload 50 --unload-speed 2.5 --viscoelastic gamma:0.45,1.1", ["persson-brener"]),
+                                         ("--tabor 10 --preload 10 --unload-speed 100 --viscoelastic sls:0.1", []),
+                                         ("--tabor 7 --preload 50 --unload-speed inf --viscoelastic sls:0.3", ["jkr-at-once"]),
+                                         ("--tabor 0.05 --preload 60 --unload-speed inf --viscoelastic sls:0.3", ["rigid-at-once"])])
+def test_theories_that_hold_are_near(scene, held):
+    rows = document(f"compare {scene} --tolerance 1e-4")["theories"]
+    assert [row["theory"] for row in rows] == ["jkr", "persson-brener", "jkr-at-once", "rigid-at-once"]
+    assert [row["theory"] for row in rows if row["assumptions"] == "yes"] == held
+    assert all(abs(row["deviation"]) < 0.05 for row in rows if row["assumptions"] == "yes")
+
+
+def test_theories_of_other_bodies_are_refused():
+    expect(2, "*theory maugis cannot be evaluated: it is one of elastic bodies", f"compare --preload 3 {SOLID} 1 --theory maugis")
+    expect(2, "*theory persson-brener cannot be evaluated: it is one of viscoelastic bodies", "compare --tabor 1 --theory persson-brener")
+    expect(2, "*viscoelastic is given: expected elastic particles*", f"contact-law {SOLID} 1")
+    wavy = document(f"compare --tabor 3 --amplitude 1 --wavelength 20 --preload 10 {SOLID} 1 --tolerance 1e-3")["theories"]
+    assert wavy[3]["reason"] == "the surface has waves" and wavy[3]["force"] is None and wavy[1]["force"] > 1.5
+
+
 @pytest.mark.parametrize("words, message", [
     ("--viscoelastic sls:0", "*--viscoelastic is sls:0: expected sls:K or gamma:K,N*"),
     ("--viscoelastic sls:1.5 --unload-speed 1", "*--viscoelastic is sls:1.5: expected*"),

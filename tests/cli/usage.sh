@@ -94,7 +94,7 @@ expect 2 'pulloff: --points begins at 6: expected less than 6, the number of poi
   run smoke --points 6
 expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' run --time-limit 0
 expect 2 'pulloff: --output is empty: expected the name of a folder' run --output ''
-expect 2 'pulloff: no case belongs to the suite dessert: expected one of extreme, general, paper, precision, random, smoke, solvers, theories' \
+expect 2 'pulloff: no case belongs to the suite dessert: expected one of extreme, general, paper, precision, random, rate, smoke, solvers, theories' \
   run --suite smoke,dessert
 expect 2 'pulloff: --suite is empty: expected names of suites' run --suite ''
 expect 2 'pulloff: unexpected argument smoke of list*' list smoke

@@ -225,8 +225,8 @@ static void same_diagnostics(const po_diagnostics *a, const po_diagnostics *b) {
 }
 
 static void same_theories(const po_result *a, const po_result *b) {
-  ck_assert(a->theory_count == PO_THEORY_COUNT && b->theory_count == PO_THEORY_COUNT);
-  for (size_t k = 0; k < PO_THEORY_COUNT; ++k) {
+  ck_assert(a->theory_count == PO_THEORY_OF_RATE && b->theory_count == PO_THEORY_OF_RATE);
+  for (size_t k = 0; k < PO_THEORY_OF_RATE; ++k) {
     const po_theory_row *r = &a->theories[k], *q = &b->theories[k];
     ck_assert(r->theory == q->theory && r->holds == q->holds && r->decided_by == q->decided_by &&
               r->at_least == q->at_least);

@@ -27,7 +27,7 @@ START_TEST(deviation_and_its_error) {
   const po_request request = request_of_tabor(2.0, 0.0);
   po_result result = result_of(1.0);
   ck_assert_int_eq(PO_THEORY_FORCES.theories(&request, &result), PO_OK);
-  ck_assert_uint_eq(result.theory_count, PO_THEORY_COUNT);
+  ck_assert_uint_eq(result.theory_count, PO_THEORY_OF_RATE);
   const po_theory_row *rigid = &result.theories[PO_THEORY_RIGID],
                       *jkr = &result.theories[PO_THEORY_JKR];
   ck_assert_double_eq_tol(rigid->deviation, 2.0 / 1.6 - 1.0, 1e-9);

@@ -320,7 +320,7 @@ static void insert(const po_theory_row *row, const po_theory_row *sorted[], size
 static void print_theories(const po_result *result) {
   const po_theory_row *sorted[KNOWN_COUNT];
   size_t count = 0;
-  for (size_t k = 0; k < KNOWN_COUNT && result->theory_count == PO_THEORY_COUNT; ++k)
+  for (size_t k = 0; k < KNOWN_COUNT && result->theory_count == PO_THEORY_OF_RATE; ++k)
     if (isfinite(result->theories[KNOWN[k]].deviation))
       insert(&result->theories[KNOWN[k]], sorted, &count);
   for (size_t k = 0; k < count && k < MOST_NAMED; ++k)

@@ -19,7 +19,10 @@
   X(GUDURU, "guduru", "Eq 5 after the preload", "Guduru 2007; Eq 5, other waves as JKR, after the same preload") \
   X(KESARI_LEW, "kesari-lew", "Kesari-Lew", "Kesari and Lew 2011; Eq 24") \
   X(PERSSON_TOSATTI, "persson-tosatti", "Persson-Tosatti", "Persson and Tosatti 2001; Eqs 25, 27 and 29") \
-  X(RUMPF, "rumpf-rabinowicz", "Rumpf-Rabinowicz", "Rumpf 1990; Eq 20")
+  X(RUMPF, "rumpf-rabinowicz", "Rumpf-Rabinowicz", "Rumpf 1990; Eq 20") \
+  X(PERSSON_BRENER, "persson-brener", "Persson-Brener", "Persson and Brener 2005: work of adhesion of a moving edge, JKR of the relaxed body") \
+  X(JKR_AT_ONCE, "jkr-at-once", "JKR, unloaded at once", "Johnson, Kendall and Roberts 1971 with w/k: the glassy body, flattened") \
+  X(RIGID_AT_ONCE, "rigid-at-once", "rigid, unloaded at once", "Bradley 1932 with R/k: a rigid sphere, flattened")
 
 /* The numbers that decide whether the assumptions of a theory hold: enumerator, name, words. */
 #define PO_ASSUMPTION_ROWS(X) \
@@ -33,7 +36,13 @@
   X(WAVES, "waves_in_contact", "contact radius over wavelength") \
   X(EFFECT, "effect_of_waves", "effect of the waves") \
   X(BARRIER, "barrier", "barrier of the waves, A sqrt(pi/(2 c lambda))") \
-  X(NEXT_CREST, "next_crest", "gap of the sphere at the next crest")
+  X(NEXT_CREST, "next_crest", "gap of the sphere at the next crest") \
+  X(SLOW, "slow", "increase of the work of adhesion by the speed of the edge") \
+  X(AT_ONCE, "at_once", "work of adhesion of the edge over its glassy value") \
+  X(EDGE_ZONE, "edge_zone", "cohesive zone of the moving edge over the contact radius") \
+  X(RELAXED, "relaxed", "way of the edge in the mean retardation time over the contact radius") \
+  X(FLATTENED, "flattened", "relaxed contact radius over that of the attraction of the flattened sphere") \
+  X(BEYOND, "beyond", "relaxed contact radius over that of the greatest tension")
 // clang-format on
 
 #define PO_THEORY_ENUMERATOR(key, ...) PO_THEORY_##key,
@@ -41,6 +50,10 @@ typedef enum { PO_THEORY_ROWS(PO_THEORY_ENUMERATOR) PO_THEORY_COUNT } po_theory;
 
 #define PO_ASSUMPTION_ENUMERATOR(key, ...) PO_ASSUMES_##key,
 typedef enum { PO_ASSUMPTION_ROWS(PO_ASSUMPTION_ENUMERATOR) PO_ASSUMPTION_COUNT } po_assumption;
+
+/* Theories from this one on are of viscoelastic bodies, and JKR with the relaxed modulus is, too;
+ * those before it are of elastic bodies. */
+enum { PO_THEORY_OF_RATE = PO_THEORY_PERSSON_BRENER };
 
 /* Whether the assumptions of a theory hold. */
 typedef enum { PO_HOLDS_UNKNOWN, PO_HOLDS_NO, PO_HOLDS_YES } po_holds;

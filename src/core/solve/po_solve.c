@@ -25,16 +25,10 @@ static bool ends(po_status status) {
   return status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME;
 }
 
-/* The theories that are evaluated beside a solve; NULL: none, as for viscoelastic bodies, of which
- * the closed forms know nothing. */
-static const po_theories *theories_of(const po_request *request) {
-  return request->creep.kind == PO_CREEP_NONE ? request->theories : NULL;
-}
-
 /* Evaluates the theories for the results that are wanted. Status: PO_NO_MEMORY, PO_INTERRUPTED,
  * PO_OUT_OF_TIME. A scene to which the theory does not apply is not a failure. */
 static po_status accompany(const po_request *request, po_result *result) {
-  const po_theories *theory = theories_of(request);
+  const po_theories *theory = request->theories;
   po_status status = PO_OK;
   if (theory && theory->hysteresis && result->has_hysteresis) {
     status = theory->hysteresis(&request->scene, preload_of(request, result), request->stiffness,
@@ -297,7 +291,7 @@ static const double LONGEST_THEORIES = 0.5;
 
 /* Evaluates the theories if the solve failed: as closed forms they need no solve. */
 static void accompany_failed(const po_request *request, po_result *result) {
-  if (!theories_of(request) || !(request->want & PO_WANT_THEORIES) || result->status < 0 ||
+  if (!request->theories || !(request->want & PO_WANT_THEORIES) || result->status < 0 ||
       result->status == PO_OK || result->status == PO_INTERRUPTED)
     return;
   const po_deadline before = po_deadline_begin(request->stop, po_clock_thread() + LONGEST_THEORIES);

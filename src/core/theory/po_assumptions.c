@@ -23,6 +23,10 @@ typedef struct {
 static const double ELONGATION = 0.2, TOUCH = 0.05, ZONE = 0.05, FLAT = 0.06, EFFECT = 0.05,
                     MANY_WAVES = 2.0, BARRIER = 0.01, NEXT_CREST = 40.0;
 
+/* The same of viscoelastic bodies (reports/rate; the case rate_speed). */
+static const double SLOW = 0.05, AT_ONCE = 0.95, EDGE_ZONE = 0.05, RELAXED = 0.3, FLATTENED = 3.0,
+                    BEYOND = 1.02;
+
 #define STIFF                                                                                      \
   { PO_ASSUMES_ELONGATION, false, ELONGATION }
 #define SHORT_ZONE                                                                                 \
@@ -42,7 +46,7 @@ enum { MOST_ASSUMPTIONS = 4 };
 static const assumption ASSUMES[PO_THEORY_COUNT][MOST_ASSUMPTIONS] = {
     [PO_THEORY_RIGID] = {STIFF},
     [PO_THEORY_DMT] = {STIFF, {PO_ASSUMES_TOUCH, false, TOUCH}},
-    [PO_THEORY_JKR] = {SHORT_ZONE, WEAK_FLAT, FULL},
+    [PO_THEORY_JKR] = {SHORT_ZONE, WEAK_FLAT, FULL, {PO_ASSUMES_SLOW, false, SLOW}},
     [PO_THEORY_MAUGIS] = {{PO_ASSUMES_FORM, false, EFFECT}, WEAK_FLAT, FULL},
     [PO_THEORY_CARPICK] = {NO_WAVES},
     [PO_THEORY_PIETREMENT] = {NO_WAVES},
@@ -50,7 +54,17 @@ static const assumption ASSUMES[PO_THEORY_COUNT][MOST_ASSUMPTIONS] = {
     [PO_THEORY_GUDURU] = {SHORT_ZONE, WEAK_FLAT, FULL},
     [PO_THEORY_KESARI_LEW] = {SHORT_ZONE, FULL, WAVES},
     [PO_THEORY_PERSSON_TOSATTI] = {SHORT_ZONE, FULL, WAVES, {PO_ASSUMES_BARRIER, false, BARRIER}},
-    [PO_THEORY_RUMPF] = {STIFF, {PO_ASSUMES_NEXT_CREST, true, NEXT_CREST}}};
+    [PO_THEORY_RUMPF] = {STIFF, {PO_ASSUMES_NEXT_CREST, true, NEXT_CREST}},
+    [PO_THEORY_PERSSON_BRENER] = {{PO_ASSUMES_EDGE_ZONE, false, EDGE_ZONE},
+                                  {PO_ASSUMES_RELAXED, false, RELAXED},
+                                  WEAK_FLAT,
+                                  FULL},
+    [PO_THEORY_JKR_AT_ONCE] = {{PO_ASSUMES_AT_ONCE, true, AT_ONCE},
+                               {PO_ASSUMES_EDGE_ZONE, false, EDGE_ZONE},
+                               {PO_ASSUMES_BEYOND, true, BEYOND},
+                               FULL},
+    [PO_THEORY_RIGID_AT_ONCE] = {
+        {PO_ASSUMES_AT_ONCE, true, AT_ONCE}, STIFF, {PO_ASSUMES_FLATTENED, true, FLATTENED}}};
 
 /* -- The numbers -- */
 
@@ -131,12 +145,36 @@ static void find_unsolved(const po_scene *scene, double a, double *full_disc, do
   po_message_clear();
 }
 
+/* The numbers of a viscoelastic body; of an elastic one that of JKR, which holds. If the tension at
+ * once is greatest where the relaxed contact ends, the edge has not receded yet, and the force
+ * depends on the cohesive zone: JKR is up to 14 % above. The flattened
+ * sphere has the radius R/k, its attraction the range 1/s, and the deformation of rigid bodies by
+ * it goes as the coupling times the root of the radius. */
+static void find_of_rate(const po_request *request, double tension, const po_closed_states *states,
+                         double number[PO_ASSUMPTION_COUNT]) {
+  const po_rate_theory *edge = &states->edge;
+  const po_creep *creep = &request->creep;
+  const double k = creep->ratio, a = edge->contact_radius;
+  const double mean = creep->kind == PO_CREEP_GAMMA ? creep->exponent : 1.0; /* tau_0 */
+  const bool creeps = creep->kind != PO_CREEP_NONE;
+  number[PO_ASSUMES_SLOW] = creeps ? edge->work - 1.0 : 0.0;
+  number[PO_ASSUMES_AT_ONCE] = k * edge->work;
+  number[PO_ASSUMES_EDGE_ZONE] = edge->work * zone_of(&request->scene, tension, a);
+  number[PO_ASSUMES_RELAXED] = edge->edge_speed * mean / a;
+  number[PO_ASSUMES_FLATTENED] =
+      edge->preload_radius / sqrt(2.0 * request->scene.radius / (k * tension));
+  number[PO_ASSUMES_BEYOND] = states->at_once.preload_radius / states->at_once.contact_radius;
+  if (creeps)
+    number[PO_ASSUMES_ELONGATION] *= sqrt(k);
+}
+
 void po_assumptions_find(const po_request *request, const po_result *result,
                          const po_closed_states *states, double number[PO_ASSUMPTION_COUNT]) {
   const po_scene *scene = &request->scene;
   const double tension = po_maugis_matched_tension(scene), a = states->jkr.contact_radius;
   const bool is_sphere = po_profile_is_sphere(&scene->profile),
-             is_solved = result->has_pull_off && !result->status;
+             is_solved =
+                 result->has_pull_off && !result->status && request->creep.kind == PO_CREEP_NONE;
   const double zone = zone_of(scene, tension, a),
                effect = is_sphere ? effect_of_waves(scene, tension) : 1.0;
   const double length = po_abel_longest_wave(scene);
@@ -155,6 +193,7 @@ void po_assumptions_find(const po_request *request, const po_result *result,
   number[PO_ASSUMES_EFFECT] = effect;
   number[PO_ASSUMES_BARRIER] = barrier_of_waves(scene);
   number[PO_ASSUMES_NEXT_CREST] = 0.5 * length * length / scene->radius;
+  find_of_rate(request, tension, states, number);
 }
 
 static po_holds holds(const assumption *a, double number) {

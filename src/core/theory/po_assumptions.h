@@ -24,6 +24,7 @@
 #define PO_ASSUMPTIONS_H
 
 #include "po_jkr_profile.h"
+#include "po_persson_brener.h"
 #include "po_request.h"
 #include "po_rigid_profile.h"
 
@@ -31,6 +32,8 @@
 typedef struct {
   po_rigid_pull_off rigid;
   po_contact jkr; /* its pull-off */
+  /* of a viscoelastic body: the pull-offs of Persson and Brener, and of JKR at once */
+  po_rate_theory edge, at_once;
 } po_closed_states;
 
 /* Finds the numbers of all assumptions. Those of the computed contact are taken, if the solve

@@ -11,6 +11,7 @@
 #include "po_jkr_profile.h"
 #include "po_maugis.h"
 #include "po_memory.h"
+#include "po_persson_brener.h"
 #include "po_profile_kind.h"
 #include "po_rigid_profile.h"
 #include "po_theory_forces.h"
@@ -75,6 +76,33 @@ static po_status rumpf(evaluation *e, double *force) {
   return PO_OK;
 }
 
+/* The state of greatest tension at a speed of unloading. */
+static po_status at_speed(const evaluation *e, double speed, po_rate_theory *state) {
+  po_creep_terms terms;
+  const double duration = isfinite(speed) && speed > 0.0 ? 1.0 / speed : 1.0;
+  po_creep_terms_fill(&e->request->creep, duration, &terms);
+  return po_persson_brener_pull_off(e->scene, &terms, speed, po_request_preload(e->request), state);
+}
+
+static po_status persson_brener(evaluation *e, double *force) {
+  const po_status status = at_speed(e, e->request->unload_speed, &e->states.edge);
+  *force = e->states.edge.force;
+  return status;
+}
+
+static po_status jkr_at_once(evaluation *e, double *force) {
+  const po_status status = at_speed(e, INFINITY, &e->states.at_once);
+  *force = e->states.at_once.force;
+  return status;
+}
+
+/* Bradley's 2 pi w R/k. The rigid sphere has its approach, too, which the assumptions ask for. */
+static po_status rigid_at_once(evaluation *e, double *force) {
+  const po_status status = rigid(e, force);
+  *force /= e->request->creep.ratio;
+  return status;
+}
+
 static double persson_tosatti_work(const po_scene *scene) {
   return po_persson_tosatti_of(scene).work_with_area;
 }
@@ -87,7 +115,8 @@ enum {
   NEEDS_SPHERE = 2,
   NEEDS_WAVES = 4,
   NEEDS_ONE_WAVE = 8,
-  NEEDS_LENNARD_JONES = 16
+  NEEDS_LENNARD_JONES = 16,
+  NEEDS_NO_WAVES = 32
 };
 
 /* The force of a theory is evaluated for a scene, or from the parameter of Maugis, or is that of
@@ -110,7 +139,16 @@ static const struct {
                               .work = po_kesari_lew_work},
     [PO_THEORY_PERSSON_TOSATTI] = {NEEDS_ELASTIC | NEEDS_SPHERE | NEEDS_ONE_WAVE,
                                    .work = persson_tosatti_work},
-    [PO_THEORY_RUMPF] = {NEEDS_SPHERE | NEEDS_ONE_WAVE | NEEDS_LENNARD_JONES, rumpf}};
+    [PO_THEORY_RUMPF] = {NEEDS_SPHERE | NEEDS_ONE_WAVE | NEEDS_LENNARD_JONES, rumpf},
+    [PO_THEORY_PERSSON_BRENER] = {NEEDS_ELASTIC, persson_brener},
+    [PO_THEORY_JKR_AT_ONCE] = {NEEDS_ELASTIC, jkr_at_once},
+    [PO_THEORY_RIGID_AT_ONCE] = {NEEDS_SPHERE | NEEDS_NO_WAVES, rigid_at_once}};
+
+/* Whether a theory is one of the body: JKR is one of elastic and of relaxed ones. */
+static bool is_of(po_theory theory, const po_request *request) {
+  const bool creeps = request->creep.kind != PO_CREEP_NONE;
+  return ((int)theory >= PO_THEORY_OF_RATE) == creeps || theory == PO_THEORY_JKR;
+}
 
 static po_status evaluate(po_theory theory, evaluation *e, double *force) {
   const po_scene *scene = e->scene;
@@ -133,6 +171,7 @@ static bool is_refused(unsigned needs, const po_scene *scene, po_theory_row *row
       {needs & NEEDS_SPHERE && !po_profile_is_sphere(&scene->profile), "the profile is ",
        po_profile_name(&scene->profile), ", not a sphere"},
       {needs & (NEEDS_WAVES | NEEDS_ONE_WAVE) && waves == 0, "the surface has no waves", "", ""},
+      {needs & NEEDS_NO_WAVES && waves > 0, "the surface has waves", "", ""},
       {needs & NEEDS_ONE_WAVE && waves > 1, "the surface has more than one wave", "", ""},
       {needs & NEEDS_LENNARD_JONES && po_law_index(&scene->law) != 0, "the law is ",
        po_law_name(&scene->law), ", not lennard-jones"}};
@@ -187,21 +226,24 @@ static po_theory_row row_of(po_theory theory, evaluation *e, const po_result *re
   return row;
 }
 
-/* A row for every theory, in the order of PO_THEORY_ROWS. Each is evaluated by a closed form of
- * src/core/theory, for the scene alone; no theory reads the value of another one, nor the computed
- * force. If the time ends, the formulas are evaluated still, and the others say so. */
+/* A row for every theory of the body, in the order of PO_THEORY_ROWS. Each is evaluated by a closed
+ * form of src/core/theory, for the scene alone; no theory reads the value of another one, nor the
+ * computed force. If the time ends, the formulas are evaluated still, and the others say so. */
 static po_status theories(const po_request *request, po_result *result) {
   po_theory_row *rows = po_allocate(PO_THEORY_COUNT, sizeof *rows);
   if (!rows)
     return PO_NO_MEMORY;
   result->theories = rows;
   result->theory_count = 0;
-  evaluation e = {request, &request->scene, {{NAN, NAN}, {NAN, NAN, NAN}}};
+  evaluation e = {request,
+                  &request->scene,
+                  {{NAN, NAN}, {NAN, NAN, NAN}, PO_NO_RATE_THEORY, PO_NO_RATE_THEORY}};
   double number[PO_ASSUMPTION_COUNT];
   po_status status = PO_OK;
-  while (result->theory_count < PO_THEORY_COUNT && status != PO_INTERRUPTED) {
-    const po_theory theory = (po_theory)result->theory_count;
-    rows[result->theory_count++] = row_of(theory, &e, result, status == PO_OUT_OF_TIME);
+  for (int theory = 0; theory < PO_THEORY_COUNT && status != PO_INTERRUPTED; ++theory) {
+    if (!is_of((po_theory)theory, request))
+      continue;
+    rows[result->theory_count++] = row_of((po_theory)theory, &e, result, status == PO_OUT_OF_TIME);
     status = po_deadline_check();
   }
   po_assumptions_find(request, result, &e.states, number);
