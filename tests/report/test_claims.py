@@ -56,6 +56,14 @@ class Listed(unittest.TestCase):
                 for name, source in choice["get"].items():
                     yield f"{claim['id']}.{name}", source
 
+    def test_the_list_of_viscoelastic_spheres_is_valid(self):
+        """A list that only ./reports/claims/run.py --paper reads: each entry has a quotation, and a source or a reason."""
+        path = os.path.join(os.path.dirname(run.LIST), "..", "viscoelastic", "claims.toml")
+        claims, _, _, _ = book.read(path)
+        self.assertEqual(len({claim["id"] for claim in claims}), len(claims))
+        self.assertTrue(all(claim["where"].startswith("arXiv:") for claim in claims))
+        self.assertEqual(sum("untestable" in claim for claim in claims), 5)
+
     def test_no_entry_takes_a_node_of_a_curve_for_its_extreme(self):
         """The largest tension of a profile, and the largest load of Eq 5 against the contact radius, lie between the nodes: with
         the nodes a ratio of 3.378 was 3.400, and a span of 10.12 was 7.20."""
