@@ -27,6 +27,9 @@ static const char HELP[] =
     "                                   --stiffness also over the position of the base\n"
     "                      profile      gap and traction against radius at pull-off\n"
     "                      preload      the pull-off force for every preload\n"
+    "                      history      of a viscoelastic body, its default: load and energies "
+    "while\n"
+    "                                   it is unloaded\n"
     "  --plot FILE       the same as FILE\n"
     "  --run DIR         folder of the records of CASE (default build/run); points without a\n"
     "                    result are solved\n"
@@ -337,8 +340,8 @@ static po_status take_operands(po_solve_line *line, const po_options *options, c
   for (int k = 0; k < PO_WANT_COUNT; ++k)
     if (line->request.want & ~(unsigned)PO_PLOT_WANTS & (1u << k))
       return po_fail(PO_BAD_INPUT,
-                     "%s is no panel of a plot: expected curve, hysteresis, profile "
-                     "or preload after --want",
+                     "%s is no panel of a plot: expected curve, hysteresis, profile, preload "
+                     "or history after --want",
                      PO_WANTS[k]);
   return PO_OK;
 }
@@ -379,8 +382,9 @@ int po_verb_plot(int argc, char **argv) {
     return po_options_end(plot_case(name, line->run, line->plot));
   po_solve_line_add_wants(line);
   if (!(line->request.want & PO_PLOT_WANTS))
-    line->request.want |=
-        seeks_all(&line->scene.given) ? PO_WANT_CURVE : PO_WANT_CURVE | PO_WANT_HYSTERESIS;
+    line->request.want |= line->scene.given.text[PO_KEY_VISCOELASTIC] ? PO_WANT_HISTORY
+                          : seeks_all(&line->scene.given)             ? PO_WANT_CURVE
+                                                          : PO_WANT_CURVE | PO_WANT_HYSTERESIS;
   else if (line->request.want & PO_WANT_HYSTERESIS)
     line->request.want |= PO_WANT_CURVE;
   if (!status)

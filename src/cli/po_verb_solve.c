@@ -130,10 +130,12 @@ static po_status print_result(const po_solve_line *line, const po_result *result
 /* Draws the figure. A result without the points of the branch is solved once more with them: what a
  * figure needs changes the steps of a trace and ends its search beyond the preload. */
 static po_status draw(const po_solve_line *line, const po_result *result) {
-  if (line->request.want & PO_WANT_CURVE)
+  const unsigned points =
+      line->request.creep.kind == PO_CREEP_NONE ? PO_WANT_CURVE : PO_WANT_HISTORY;
+  if (line->request.want & points)
     return po_plot_show(po_plot_of_solve(&line->request, result), line->plot);
   po_solve_line again = *line;
-  again.request.want = (line->request.want & PO_PLOT_WANTS) | PO_WANT_CURVE;
+  again.request.want = (line->request.want & PO_PLOT_WANTS) | points;
   again.request.search = PO_SEARCH_NONE;
   po_result drawn = {0};
   po_status status = po_solve_line_solve(&again, &drawn);

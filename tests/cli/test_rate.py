@@ -76,6 +76,19 @@ def test_the_history_is_a_table(tmp_path):
     assert math.isclose(greatest, force, rel_tol=1e-3)
 
 
+def test_the_history_is_plotted(tmp_path):
+    scene = f"--tabor 0.5 --preload 3 {SOLID} 2 --tolerance 1e-4"
+    printed = expect(0, "", f"plot {scene}").out
+    assert "load in pi w R against approach" in printed and "energy in pi w R epsilon against approach in epsilon" in printed
+    assert "* work, o dissipated, + stored" in printed
+    spring = expect(0, "", f"plot {scene} --stiffness 1 --want history").out
+    assert "energy in pi w R epsilon against position of the base" in spring
+    expect(0, "", f"solve {scene} --plot {tmp_path / 'figure.svg'}")
+    assert all(f">{word}<" in (tmp_path / "figure.svg").read_text() for word in ("unloading", "work", "dissipated", "stored"))
+    expect(2, "*a result other than history and theories is wanted beside viscoelastic*", f"plot {scene} --want curve")
+    expect(2, "*history is wanted: expected it beside viscoelastic", "plot --tabor 1 --want history")
+
+
 def test_si_units_are_converted():
     scene = "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8"
     si = document(f"solve {scene} --preload-m 6e-10 --viscoelastic sls:0.2 --relaxation-time-s 1e-3 --unload-speed-m-per-s 6e-7")

@@ -10,18 +10,20 @@
 
 /* The additional results that a figure of a solve shows if they are there. */
 enum {
-  PO_PLOT_WANTS = PO_WANT_CURVE | PO_WANT_PROFILE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD,
+  PO_PLOT_WANTS =
+      PO_WANT_CURVE | PO_WANT_PROFILE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD | PO_WANT_HISTORY,
 };
 
 /* How the points of a series are drawn: enumerator, name of the macro in
  * reports/figures/picture.gp, character (0: only in figures). NAN in a coordinate interrupts a
  * line. Those from PO_PLOT_HOLDS on are single points, jumps are arrows, each from a point to the
- * next one; the gap is on the second axis, curves have error bars. */
+ * next one; the gap is on the second axis, curves have error bars; curves and lines of a panel
+ * differ in colour. */
 // clang-format off
 #define PO_PLOT_STYLES(X) \
   X(EQUILIBRIA, "equilibria", '.') X(UNSTABLE, "unstable", '.') X(STABLE, "stable", '*') X(LOADING, "loading", '+') \
   X(UNLOADING, "unloading", '*') X(JUMP_LOADING, "jump_loading", '|') X(JUMP_UNLOADING, "jump_unloading", '|') \
-  X(THEORY, "theory", '.') X(STEPS, "steps", '*') X(CURVE, "curve", '*') X(TRACTION, "traction", '*') X(GAP, "gap", 0) \
+  X(THEORY, "theory", '.') X(STEPS, "steps", '*') X(CURVE, "curve", '*') X(LINE, "line", '*') X(TRACTION, "traction", '*') X(GAP, "gap", 0) \
   X(LEVEL, "level", '|') X(HOLDS, "holds", 'o') X(FAILS, "fails", 'x') X(UNKNOWN, "unknown", '?') X(FOLD, "fold", 'o') \
   X(PULL_OFF, "pull_off", 'X')
 // clang-format on
@@ -44,7 +46,7 @@ typedef struct {
   const char *symbol; /* for gnuplot */
   bool si, log;
   double factor, shift;               /* (value + shift) factor is the number shown */
-  char in_figure[16], in_letters[16]; /* the unit of this number; "": none */
+  char in_figure[24], in_letters[24]; /* the unit of this number; "": none */
   double low, high;                   /* the range, as the points; NAN: that of the points */
   po_text tics;                       /* names of values, for gnuplot; empty: numbers */
 } po_plot_axis;

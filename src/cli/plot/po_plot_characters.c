@@ -18,7 +18,8 @@ static const char MARKS[] = {PO_PLOT_STYLES(MARK)};
 static const char CURVES[] = "*o+x#@%&";
 
 static char mark_of(const po_plot_series *s, size_t index) {
-  return s->style == PO_PLOT_CURVE ? CURVES[index % (sizeof CURVES - 1)] : MARKS[s->style];
+  return s->style == PO_PLOT_CURVE || s->style == PO_PLOT_LINE ? CURVES[index % (sizeof CURVES - 1)]
+                                                               : MARKS[s->style];
 }
 
 static bool is_line(po_plot_style style) {

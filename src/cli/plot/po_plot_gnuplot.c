@@ -96,6 +96,8 @@ static void add_series(po_text *plot, const po_plot_series *s, size_t number, do
                 "$series%zu using 1:2:3 @%s_error palette frac %.3f notitle, "
                 "$series%zu using 1:2 @%s palette frac %.3f ",
                 number, macro, shade, number, macro, shade);
+  else if (s->style == PO_PLOT_LINE)
+    po_text_add(plot, "$series%zu using 1:2 @%s palette frac %.3f ", number, macro, shade);
   else
     po_text_add(plot, "$series%zu using %s @%s ", number,
                 po_plot_is_jump(s->style) ? "1:2:3:4" : "1:2", macro);

@@ -122,7 +122,9 @@ po_plot_axis po_plot_axis_of(const po_plot_picture *picture, const char *words, 
   po_plot_axis axis = {.symbol = symbol, .si = picture->units, .low = NAN, .high = NAN};
   snprintf(axis.words, sizeof axis.words, "%s", words);
   const bool length = dimension == PO_DIMENSION_LENGTH || dimension == PO_DIMENSION_GAP;
-  const bool load = dimension == PO_DIMENSION_LOAD, traction = dimension == PO_DIMENSION_TRACTION;
+  const bool energy = dimension == PO_DIMENSION_ENERGY;
+  const bool load = dimension == PO_DIMENSION_LOAD || energy,
+             traction = dimension == PO_DIMENSION_TRACTION;
   const char *text = length     ? "ε"
                      : load     ? po_plot_load_unit(picture->load_unit)
                      : traction ? "(w/με)"
@@ -138,8 +140,10 @@ po_plot_axis po_plot_axis_of(const po_plot_picture *picture, const char *words, 
   }
   axis.factor = unit.factor;
   axis.shift = unit.shift;
-  snprintf(axis.in_figure, sizeof axis.in_figure, "%s", text);
-  snprintf(axis.in_letters, sizeof axis.in_letters, "%s", letters);
+  /* an energy is a load times a length */
+  snprintf(axis.in_figure, sizeof axis.in_figure, "%s%s", text, energy && !axis.si ? "ε" : "");
+  snprintf(axis.in_letters, sizeof axis.in_letters, "%s%s", letters,
+           energy && !axis.si ? " epsilon" : "");
   return axis;
 }
 

@@ -207,6 +207,64 @@ static void add_staircase(po_plot_picture *picture, const po_staircase *ours,
   panel->x.high = first + (1.0 + FREE) * extent;
 }
 
+typedef double (*number_of)(const po_rate_point *point);
+
+static double load_of(const po_rate_point *p) {
+  return p->load;
+}
+
+static double work_of(const po_rate_point *p) {
+  return p->energy.work;
+}
+
+static double stored_of(const po_rate_point *p) {
+  return p->energy.stored + p->energy.spring;
+}
+
+static double dissipated_of(const po_rate_point *p) {
+  return p->energy.dissipated;
+}
+
+static double jumps_of(const po_rate_point *p) {
+  return p->energy.jumps;
+}
+
+/* Adds a number of each state of unloading over the position of the base. */
+static void add_history(po_plot_picture *picture, po_plot_panel *panel, const po_rate *rate,
+                        po_plot_style style, const char *title, number_of number) {
+  po_plot_series *s = po_plot_add_series(picture, panel, style, title);
+  for (size_t i = 0; i < rate->history_count; ++i)
+    po_plot_add_point(picture, s,
+                      (po_plot_point){rate->history[i].base, number(&rate->history[i]), 0.0});
+}
+
+/* Load and energies of a viscoelastic body over the position of the base, which moves to the left.
+ */
+static void add_unloading(po_plot_picture *picture, const po_request *request, const po_result *o) {
+  const po_rate *rate = &o->rate;
+  const bool base = !isnan(request->stiffness);
+  const char *words = base ? "position of the base" : "approach",
+             *symbol = base ? "{/:Italic z}" : "Δ";
+  po_plot_panel *panel = po_plot_add_panel(picture);
+  panel->x = po_plot_axis_of(picture, words, symbol, PO_DIMENSION_LENGTH);
+  panel->y = po_plot_axis_of(picture, "load", "{/:Italic W}", PO_DIMENSION_LOAD);
+  add_history(picture, panel, rate, PO_PLOT_UNLOADING, "unloading", load_of);
+  po_plot_series *s = po_plot_add_series(picture, panel, PO_PLOT_PULL_OFF, "pull-off");
+  const double force = o->pull_off.force;
+  po_plot_add_point(
+      picture, s,
+      (po_plot_point){o->pull_off.approach - (base ? force / request->stiffness : 0.0), -force,
+                      0.0});
+  panel = po_plot_add_panel(picture);
+  panel->x = po_plot_axis_of(picture, words, symbol, PO_DIMENSION_LENGTH);
+  panel->y = po_plot_axis_of(picture, "energy", "", PO_DIMENSION_ENERGY);
+  add_history(picture, panel, rate, PO_PLOT_LINE, "work", work_of);
+  add_history(picture, panel, rate, PO_PLOT_LINE, "dissipated", dissipated_of);
+  add_history(picture, panel, rate, PO_PLOT_LINE, "stored", stored_of);
+  if (rate->jumps)
+    add_history(picture, panel, rate, PO_PLOT_LINE, "jumps", jumps_of);
+}
+
 po_plot_picture po_plot_of_solve(const po_request *request, const po_result *o) {
   po_plot_picture picture = po_plot_begin(po_plot_caption(request), request);
   branch b = {&picture, o->curve, o->curve_count, request->stiffness};
@@ -219,6 +277,8 @@ po_plot_picture po_plot_of_solve(const po_request *request, const po_result *o) 
     add_loads(&b, o, spring ? spring : h ? &h->of[PO_AT_APPROACH] : NULL);
   if (o->profile_count > 1)
     add_profile(&picture, o);
+  if (o->rate.history_count > 1)
+    add_unloading(&picture, request, o);
   for (int k = o->staircase.has_spring ? 2 : 0; o->has_staircases && k >= 0; k -= 2)
     if (o->staircase.of[k].count)
       add_staircase(&picture, &o->staircase.of[k],
