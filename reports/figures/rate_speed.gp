@@ -1,5 +1,5 @@
 # Pull-off force of viscoelastic smooth spheres against the speed; a panel for each material. Data: force.dat, a block for each
-# panel and each Tabor parameter, the latter fastest.
+# panel and each Tabor parameter, the latter fastest; theory.dat: the same of Persson and Brener.
 set multiplot
 set logscale xy
 set xrange [x_low:x_high]; set yrange [1.2:30]
@@ -15,6 +15,8 @@ do for [p = 1:|panel_text|] {
   set label 1 panel_text[p] at graph 0.97, graph 0.94 right
   if (p == 1) { set key at graph 0.03, graph 0.76 left top Left reverse } else { set key off }
   plot for [y in '1.5 15 20'] real(y) with lines linewidth 0.8 dashtype 3 linecolor rgb grey notitle, \
+       for [i = 1:tabor_count] 'theory.dat' index (p - 1) * tabor_count + i - 1 using 1:2 with lines dashtype 2 linewidth 1.1 \
+         linecolor rgb colour[i] notitle, \
        for [i = 1:tabor_count] 'force.dat' index (p - 1) * tabor_count + i - 1 using 1:2 with linespoints pointtype 7 \
          pointsize 0.4 linewidth 1.1 linecolor rgb colour[i] title tabor_text[i]
 }

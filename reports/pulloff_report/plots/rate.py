@@ -11,6 +11,7 @@ from .figure import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, BLACK, Figure,
 COLOURS = (BLACK, SKY, BLUE, GREEN, ORANGE, VERMILLION, PURPLE)
 AT_ENDS = 10.0  # the limits 0 and inf are drawn so many times beyond the finite speeds
 HALF = 0.5      # of the enhancement beyond 1
+SHORT_RANGE = 3.0  # the Tabor parameter from which on the theory of Persson and Brener is drawn
 
 
 def number(value):
@@ -24,6 +25,17 @@ def forces(case, *keys):
         if point.get("pull_off"):
             scene = point["input"]
             found.setdefault(tuple(key(scene) for key in keys), {})[number(scene["unload_speed"])] = point["pull_off"]["force"]
+    return found
+
+
+def theory_forces(case, theory, *keys):
+    """The same of a theory, where it was evaluated."""
+    found = {}
+    for point in case.points:
+        scene = point["input"]
+        for row in point.get("theories") or []:
+            if row["theory"] == theory and row["force"] is not None:
+                found.setdefault(tuple(key(scene) for key in keys), {})[number(scene["unload_speed"])] = row["force"]
     return found
 
 
@@ -141,6 +153,7 @@ def wavy(case):
 
 def speeds(case):
     rows = forces(case, material, lambda scene: scene["tabor"])
+    theory = theory_forces(case, "persson-brener", material, lambda scene: scene["tabor"])
     solids = sorted({key[0] for key in rows}, reverse=True)
     tabors = sorted({key[1] for key in rows})
     between, ends = axis(case)
@@ -148,11 +161,13 @@ def speeds(case):
         "figure_height": 330, **ends, "panel_text": [solid_words(solid) for solid in solids],
         "tabor_text": [f"μ = {plain(tabor)}" for tabor in tabors], "tabor_count": len(tabors),
         "colour": [COLOURS[k % len(COLOURS)] for k in range(len(tabors))]},
-        {"force": [curve(rows.get((solid, tabor), {}), between) for solid in solids for tabor in tabors]})
+        {"force": [curve(rows.get((solid, tabor), {}), between) for solid in solids for tabor in tabors],
+         "theory": [curve(theory.get((solid, tabor), {}) if tabor >= SHORT_RANGE else {}, between)
+                    for solid in solids for tabor in tabors]})
     scene = case.points[0]["input"]
     caption = Markup("Pull-off force of viscoelastic smooth spheres, loaded slowly to the approach {}ε, against the speed of unloading in ε/τ₀; "
                      "at both ends the limits 0 and ∞. R† = {}. Dotted: 1.5, JKR of the relaxed body at any preload; 1.5/k, JKR unloaded at once from a "
-                     "wide contact; 2/k, a rigid sphere that has flattened.").format(plain(scene["preload"]), plain(scene["radius"]))
+                     "wide contact; 2/k, a rigid sphere that has flattened. Dashed: Persson and Brener, μ ≥ {}.").format(plain(scene["preload"]), plain(scene["radius"]), plain(SHORT_RANGE))
     return Figure("rate-speed", None, "Force against the speed of unloading",
                   Markup(svg.embeddable(drawn, "rate-speed", "Pull-off force against speed")), caption, failures(case), case.record["command"])
 
