@@ -35,7 +35,8 @@ static void scene_at(void *data, double at, po_scene *scene) {
   *(l->amplitude ? &scene->amplitude : &scene->tabor) = at;
 }
 
-static double domain_of(const po_scene *scene) {
+static double domain_of(void *data, const po_scene *scene) {
+  (void)data;
   return po_solve_domain(scene, po_surface_core(scene, NAN));
 }
 
@@ -64,7 +65,7 @@ static void trace(const series *l, folds *f) {
   po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
-  ck_assert_int_eq(po_surface_create_panels(&scene, domain_of(&scene), 4, &panels), PO_OK);
+  ck_assert_int_eq(po_surface_create_panels(&scene, domain_of(NULL, &scene), 4, &panels), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&scene, panels, &e), PO_OK);
   e->precision = po_solve_precision(TOLERANCE);
   *f = (folds){.most = l->folds};
@@ -82,9 +83,12 @@ static void trace(const series *l, folds *f) {
 
 /* Creates a follower at the beginning of the series. */
 static po_follower *follower_of(const series *l) {
-  const po_follow_options options = {
-      scene_at, domain_of, (void *)l, po_solve_allowance(TOLERANCE), po_solve_precision(TOLERANCE),
-      TOLERANCE};
+  const po_follow_options options = {.scene_at = scene_at,
+                                     .domain_of = domain_of,
+                                     .data = (void *)l,
+                                     .allowed = po_solve_allowance(TOLERANCE),
+                                     .precision = po_solve_precision(TOLERANCE),
+                                     .sharpness = TOLERANCE};
   po_follower *follower = NULL;
   ck_assert_int_eq(po_follow_create(&options, l->from, &follower), PO_OK);
   return follower;

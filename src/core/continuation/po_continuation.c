@@ -73,27 +73,6 @@ static double continuation_start(po_equilibrium *e) {
 /* The weights of the arclength functional are changed if others by this factor would suit. */
 static const double OTHER_WEIGHTS = 2.0;
 
-/* Width of a contact edge, relative to its radius, below which approach and load have less weight
- * than the amount of contact. With three times the value the work is the same; with a tenth,
- * (20, 0.4, 10) takes 80 % more Newton iterations and two of ninety random wavy scenes up to mu =
- * 30 are lost. */
-static const double NARROW_EDGE = 1e-2;
-
-/* A contact edge is narrow if the weight that suits it is below this. */
-static const double NARROW = 0.1;
-
-/* The factor of approach and load in the global coordinates, po_equilibrium.share, that suits a
- * contact edge of a radius, eps. An edge is as wide as a traction of w/eps deflects the surface by
- * eps, eps/coupling. If that is little relative to its radius, an error of the gap at the edge
- * changes the approach by many times the error. A functional in which the approach must be balanced
- * by a motion of the edge would then move the edge by many times its width, and Newton's method
- * would converge from the closest predictions only. Before the first contact, and while it is
- * small, the amount of contact alone would not lead along the branch. */
-static double arclength_share(const po_equilibrium *e, double edge) {
-  const double width = 1.0 / e->coupling;
-  return fmin(1.0, width / (NARROW_EDGE * edge));
-}
-
 /* Lets the arclength functional follow the outermost contact edge. If there are
  * several edges and linear systems are solved by GMRES, approach and load keep their weight: then
  * Newton's method converges from predictions that are less close, and the amount of contact alone
@@ -103,13 +82,13 @@ static double arclength_share(const po_equilibrium *e, double edge) {
 static void reweigh(po_continuation *t) {
   po_equilibrium *e = t->c.e;
   const size_t edges = t->current.edges.count;
-  const double suits = edges > 0 ? arclength_share(e, t->current.edges.at[edges - 1]) : 1.0;
+  const double suits = edges > 0 ? po_arclength_share(e, t->current.edges.at[edges - 1]) : 1.0;
   const double change = suits / t->edge_share;
   if (!on_panels(t))
     return;
   if (change >= OTHER_WEIGHTS || change <= 1.0 / OTHER_WEIGHTS)
     t->edge_share = suits;
-  e->narrow = t->edge_share < NARROW;
+  e->narrow = t->edge_share < PO_ARCLENGTH_NARROW;
   const double share = e->by_krylov && edges > 1 ? 1.0 : t->edge_share, factor = share / e->share;
   if (share == e->share)
     return;

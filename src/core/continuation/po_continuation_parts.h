@@ -24,7 +24,7 @@ struct po_continuation {
   int beyond; /* number of special points of the last step beyond the end of the trace */
   double first_approach, farthest; /* approach and least gap at the first point */
   int unstable_modes;
-  double edge_share; /* the weight that suits the outermost contact edge (arclength_share) */
+  double edge_share; /* the weight that suits the outermost contact edge (po_arclength_share) */
   double deepest;    /* deepest minimum of the load so far */
   size_t points;
   int refused[PO_REFUSALS]; /* attempts at short steps that were refused, by their reasons */

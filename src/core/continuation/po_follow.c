@@ -25,13 +25,14 @@ static const double FIRST_PART = 0.02;
  * step fails; and the same for the first step. Each attempt at that is a tenth of the one before:
  * the third is the last. */
 static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 0.025 * FIRST_PART;
-/* The same of a fold, at any step: nothing replaces it if it is given up, and the scenes may be far
- * apart. */
+/* The same of a fold, and of scenes of several units of length, at any step: nothing replaces the
+ * special point if it is given up, and the scenes may be far apart. */
 static const double SHORTEST_PART_OF_FOLD = 1e-6;
 
 /* A mark: the solution of the special point at one value of the parameter, and its scene. */
 typedef struct {
   double at;
+  double unit; /* of length */
   po_scene scene;
   po_solution point;
 } mark;
@@ -39,6 +40,7 @@ typedef struct {
 struct po_follower {
   po_follow_options options;
   po_scene scene; /* at the present value of the parameter */
+  double unit;    /* of its lengths */
   po_surface *surface;
   po_equilibrium *e;
   po_corrector c;
@@ -65,6 +67,7 @@ typedef struct {
   size_t count;
   double at[MARKS];            /* the parameters of the marks, the latest first */
   po_solution_field of[MARKS]; /* their solutions */
+  double unit[MARKS];          /* their units of length, in the present one */
   double weight[MARKS];
   po_moving_edges edges; /* contact edges of the latest mark that move the coordinates */
   double shift[PO_MOST_MOVING_EDGES];       /* from these to the predicted edges */
@@ -72,8 +75,9 @@ typedef struct {
   size_t edge; /* the contact edge beyond the radius where the gap was last needed */
 } predictor;
 
-static void add_mark(predictor *f, const mark *m) {
+static void add_mark(predictor *f, const mark *m, double unit) {
   f->at[f->count] = m->at;
+  f->unit[f->count] = m->unit / unit;
   f->of[f->count++] = (po_solution_field){&m->point, &m->scene, 0};
 }
 
@@ -96,6 +100,8 @@ static bool move(po_follower *of, bool all, double at, predictor *f) {
     f->edges.count = 1;
     f->edges.at[0] = latest->at[latest->count - 1];
   }
+  for (size_t k = 0; k < f->edges.count; ++k)
+    f->edges.at[k] *= mark_of(of, 0)->unit / of->unit;
   for (size_t i = 0; i < of->count; ++i) {
     const mark *m = mark_of(of, i);
     const po_moving_edges *edges = &m->point.edges;
@@ -103,10 +109,11 @@ static bool move(po_follower *of, bool all, double at, predictor *f) {
       break;
     double *back = f->back[f->count];
     for (size_t k = 0; k < f->edges.count; ++k)
-      back[k] = edges->at[edges->count - f->edges.count + k] - f->edges.at[k];
+      back[k] =
+          edges->at[edges->count - f->edges.count + k] * (m->unit / of->unit) - f->edges.at[k];
     if (!po_edge_may_relate(&f->edges, back))
       break;
-    add_mark(f, m);
+    add_mark(f, m, of->unit);
   }
   weigh(f, at);
   for (size_t i = 0; i < f->count; ++i)
@@ -127,7 +134,7 @@ static bool predict(po_follower *of, double at, predictor *f) {
 static void predict_still(po_follower *of, double at, predictor *f) {
   *f = (predictor){.count = 0};
   for (size_t i = 0; i < of->count; ++i)
-    add_mark(f, mark_of(of, i));
+    add_mark(f, mark_of(of, i), of->unit);
   weigh(f, at);
 }
 
@@ -144,7 +151,8 @@ static double predicted_gap(void *data, double r) {
   f->edge = origin.outer;
   double gap = 0.0;
   for (size_t i = 0; i < f->count; ++i)
-    gap += f->weight[i] * gap_of(&f->of[i], origin.r + po_edge_displacement(&origin, f->back[i]));
+    gap += f->weight[i] * f->unit[i] *
+           gap_of(&f->of[i], (origin.r + po_edge_displacement(&origin, f->back[i])) / f->unit[i]);
   return po_law_expected_gap(&f->of[0].scene->law, gap);
 }
 
@@ -158,18 +166,35 @@ static void predicted_state(predictor *f, const po_equilibrium *e, size_t core, 
     double value = back > 0 ? e->initial_gap[n - back] : 0.0;
     for (size_t i = 0; i < f->count; ++i) {
       const po_solution *p = f->of[i].p;
-      value += f->weight[i] * (back > 0 ? p->deflection[p->n - back] : p->state[p->n]);
+      value += f->weight[i] * f->unit[i] * (back > 0 ? p->deflection[p->n - back] : p->state[p->n]);
     }
     state[n - back] = value;
   }
 }
 
+/* Sets the unit of length of a parameter. */
+static void set_unit(po_follower *f, double at) {
+  f->unit = f->options.unit_at ? f->options.unit_at(f->options.data, at) : 1.0;
+}
+
 /* Sets the scene of a parameter, on the current mesh. */
 static void set_scene(po_follower *f, double at) {
   f->options.scene_at(f->options.data, at, &f->scene);
-  po_surface_resize(f->surface, f->options.domain_of(&f->scene));
+  po_surface_resize(f->surface, f->options.domain_of(f->options.data, &f->scene));
   po_equilibrium_rescale(f->e);
   po_equilibrium_remesh(f->e);
+}
+
+/* Adapts the weight of approach and load in the arclength functional to the outermost contact edge
+ * of a solution, given in its unit of length. */
+static void weigh_edge(po_follower *f, const po_solution *p, double unit) {
+  if (!f->options.unit_at)
+    return;
+  const size_t edges = p->edges.count;
+  const double suits =
+      edges > 0 ? po_arclength_share(f->e, p->edges.at[edges - 1] * unit / f->unit) : 1.0;
+  f->e->narrow = suits < PO_ARCLENGTH_NARROW;
+  f->e->share = f->e->by_krylov && edges > 1 ? 1.0 : suits;
 }
 
 po_status po_follow_create(const po_follow_options *options, double at, po_follower **follower) {
@@ -179,8 +204,8 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
     return PO_NO_MEMORY;
   f->options = *options;
   options->scene_at(options->data, at, &f->scene);
-  po_status status =
-      po_surface_create_panels(&f->scene, options->domain_of(&f->scene), ROOT_LEVEL, &f->surface);
+  po_status status = po_surface_create_panels(
+      &f->scene, options->domain_of(options->data, &f->scene), ROOT_LEVEL, &f->surface);
   const size_t capacity = status ? 0 : f->surface->capacity;
   if (!status)
     status = po_equilibrium_create(&f->scene, f->surface, &f->e);
@@ -228,6 +253,7 @@ static po_status locate(po_follower *f, double *slope, double value[2], po_solut
 static void accept(po_follower *f, double at) {
   mark *next = next_mark(f);
   next->at = at;
+  next->unit = f->unit;
   next->scene = f->scene;
   f->latest = (f->latest + 1) % (MARKS + 1);
   f->count += f->count < MARKS;
@@ -238,8 +264,12 @@ po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_k
   f->count = 0;
   f->step = INFINITY;
   f->slope = NAN;
+  set_unit(f, at);
   set_scene(f, at);
   po_solution_copy(special, &f->seed);
+  weigh_edge(f, &f->seed, f->unit);
+  if (f->options.unit_at && f->seed.share != f->e->share)
+    po_solution_reweigh(&f->seed, f->e->share / f->seed.share);
   po_status status = po_corrector_mesh(&f->c, f->seed.panels);
   if (status)
     return status;
@@ -259,18 +289,27 @@ static void seed_from_guess(po_follower *f) {
   po_equilibrium_evaluate(f->e, f->c.guess);
   po_arclength_coordinates(f->seed.arclength, f->e, f->c.guess, f->seed.coordinate);
   memcpy(f->seed.rate, latest->rate, f->seed.coordinates * sizeof *f->seed.rate);
+  if (latest->share == f->e->share)
+    return;
+  for (size_t i = 0; i < 2; ++i)
+    f->seed.rate[i] *= f->e->share / latest->share;
+  const double length = sqrt(po_arclength_along(f->seed.coordinates, f->seed.rate, f->seed.rate));
+  for (size_t i = 0; i < f->seed.coordinates; ++i)
+    f->seed.rate[i] /= length;
 }
 
 /* One attempt at a step. Given: last, whether the special point is given up if the attempt fails.
  * Returned: the error of the predictor, if a solution was found. */
 static po_status try_step(po_follower *f, double at, bool last, double *error) {
   predictor p;
+  set_unit(f, at);
   if (!predict(f, at, &p)) {
     if (!last)
       return PO_NOT_CONVERGED;
     predict_still(f, at, &p);
   }
   set_scene(f, at);
+  weigh_edge(f, &mark_of(f, 0)->point, mark_of(f, 0)->unit);
   po_panels *const panels = f->surface->draft;
   po_panels_copy(mark_of(f, 0)->point.panels, panels);
   const po_gap_field predicted = {predicted_gap, &p};
@@ -311,9 +350,9 @@ po_status po_follow_to(po_follower *f, double at) {
     const bool last = fabs(left) <= most;
     const double step = last ? left : copysign(most, left);
     const double to = last ? at : mark_of(f, 0)->at + step;
-    const double part = f->of == PO_OF_APPROACH ? SHORTEST_PART_OF_FOLD
-                        : f->count == 1         ? SHORTEST_FIRST_PART
-                                                : SHORTEST_PART;
+    const double part = f->of == PO_OF_APPROACH || f->options.unit_at ? SHORTEST_PART_OF_FOLD
+                        : f->count == 1                               ? SHORTEST_FIRST_PART
+                                                                      : SHORTEST_PART;
     const bool shortest = fabs(step) < part * fabs(whole);
     double error = INFINITY;
     const po_status tried = try_step(f, to, shortest, &error);
@@ -366,6 +405,10 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
                            .solution = p,
                            .best = r.finer ? p : NULL,
                            .finer = r.finer};
+}
+
+const po_surface *po_follow_surface(const po_follower *f) {
+  return f->surface;
 }
 
 po_work po_follow_work(const po_follower *f) {

@@ -16,7 +16,12 @@ typedef struct po_follower po_follower;
  * smooth, and all surfaces are cut or none is. */
 typedef struct {
   void (*scene_at)(void *data, double at, po_scene *scene);
-  double (*domain_of)(const po_scene *scene); /* radius of the domain of the panels, eps */
+  /* radius of the domain of the panels, eps */
+  double (*domain_of)(void *data, const po_scene *scene);
+  double (*unit_at)(void *data, double at); /* the unit of length of the scenes, in a unit of all;
+                                               NULL: all have the same. The scenes then differ in
+                                               the width of the contact edges, to which the weights
+                                               of the arclength functional are adapted */
   void *data;
   po_allowance allowed; /* allowed errors of the panels */
   double precision;     /* of Newton's method, see po_equilibrium.h */
@@ -43,6 +48,9 @@ po_status po_follow_to(po_follower *f, double at);
 /* The special point at the present value of the parameter. Its pointers are valid until the next
  * call. Given: judged, whether it is solved on finer meshes for its errors. */
 po_branch_point po_follow_point(po_follower *f, bool judged);
+
+/* The surface on whose mesh the special point is. */
+const po_surface *po_follow_surface(const po_follower *f);
 
 /* The work so far. */
 po_work po_follow_work(const po_follower *f);

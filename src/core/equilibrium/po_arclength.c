@@ -160,3 +160,16 @@ void po_arclength_border(po_arclength a, const po_equilibrium *e, const double *
                          const double *direction, double *border) {
   (a == PO_ARCLENGTH_GLOBAL ? global_border : nodal_times)(e, state, direction, border);
 }
+
+/* Width of a contact edge, relative to its radius, below which approach and load have less weight
+ * than the amount of contact. With three times the value the work is the same; with a tenth,
+ * (20, 0.4, 10) takes 80 % more Newton iterations and two of ninety random wavy scenes up to mu =
+ * 30 are lost. */
+static const double NARROW_EDGE = 1e-2;
+
+const double PO_ARCLENGTH_NARROW = 0.1;
+
+double po_arclength_share(const po_equilibrium *e, double edge) {
+  const double width = 1.0 / e->coupling;
+  return fmin(1.0, width / (NARROW_EDGE * edge));
+}

@@ -48,4 +48,16 @@ double po_arclength_along(size_t size, const double *direction, const double *ch
 void po_arclength_border(po_arclength a, const po_equilibrium *e, const double *state,
                          const double *direction, double *border);
 
+/* The factor of approach and load in the global coordinates, po_equilibrium.share, that suits a
+ * contact edge of a radius, eps. An edge is as wide as a traction of w/eps deflects the surface by
+ * eps, eps/coupling. If that is little relative to its radius, an error of the gap at the edge
+ * changes the approach by many times the error. A functional in which the approach must be balanced
+ * by a motion of the edge would then move the edge by many times its width, and Newton's method
+ * would converge from the closest predictions only. Before the first contact, and while it is
+ * small, the amount of contact alone would not lead along the branch. */
+double po_arclength_share(const po_equilibrium *e, double edge);
+
+/* A contact edge is narrow if the weight that suits it is below this. */
+extern const double PO_ARCLENGTH_NARROW;
+
 #endif

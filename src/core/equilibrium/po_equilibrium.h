@@ -103,7 +103,7 @@ typedef struct {
   po_work work; /* points, iterations, factorisations and meshes; what the surface, a trace and the
                    clock count is 0 */
   bool narrow;  /* the contact edge is so narrow that approach and load have little weight in the
-                   arclength functional (arclength_share) */
+                   arclength functional (po_arclength_share) */
   bool by_krylov; /* linear systems are solved by GMRES, because the factors are too inaccurate for
                      a quasi-Newton iteration */
   double *krylov; /* (n + 1) x (PO_KRYLOV_DEPTH + 1): its basis */

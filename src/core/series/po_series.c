@@ -257,7 +257,7 @@ static int by_depth(const void *left, const void *right) {
  * PO_INTERRUPTED. A trace that fails gives a checkpoint that is not usable. */
 static po_status checkpoint_trace(const po_request *request, size_t index, po_result *result,
                                   checkpoint *a) {
-  *a = (checkpoint){.index = index, .kept = {.minima = true}};
+  *a = (checkpoint){.index = index, .kept = {.which = PO_KEEP_MINIMA}};
   const po_status status = po_solve_kept(request, &a->kept, result);
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;

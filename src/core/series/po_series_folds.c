@@ -91,7 +91,7 @@ static po_status solve(const po_series_scenes *l) {
           "folds are not followed from scene %zu to the next: expected both "
           "wavy or both smooth, both bounded or both unbounded, and no viscoelastic body",
           k + 1);
-  po_kept_points f = {.minima = false};
+  po_kept_points f = {.which = PO_KEEP_FOLDS};
   po_status status = po_solve_kept(&requests[0], &f, &l->results[0]);
   if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)
     status = PO_OK;

@@ -62,7 +62,8 @@ po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_s
   return status;
 }
 
-static double domain_of(const po_scene *scene) {
+static double domain_of(void *data, const po_scene *scene) {
+  (void)data;
   return po_solve_domain(scene, po_surface_core(scene, NAN));
 }
 
@@ -92,12 +93,12 @@ bool po_series_alike(const po_request *a, const po_request *b) {
 }
 
 po_status po_series_course_begin(po_series_course *c, size_t first, double tolerance) {
-  const po_follow_options options = {scene_at,
-                                     domain_of,
-                                     (void *)c->scenes,
-                                     po_solve_allowance(tolerance),
-                                     po_solve_precision(tolerance),
-                                     tolerance};
+  const po_follow_options options = {.scene_at = scene_at,
+                                     .domain_of = domain_of,
+                                     .data = (void *)c->scenes,
+                                     .allowed = po_solve_allowance(tolerance),
+                                     .precision = po_solve_precision(tolerance),
+                                     .sharpness = tolerance};
   return po_follow_create(&options, (double)first, &c->follower);
 }
 

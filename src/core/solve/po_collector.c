@@ -86,19 +86,47 @@ void po_kept_points_clear(po_kept_points *kept) {
   *kept = (po_kept_points){0};
 }
 
+static bool is_loading(po_point_kind kind) {
+  return kind == PO_POINT_APPROACH_MAX || kind == PO_POINT_LOAD_MAX;
+}
+
+/* Whether a special point is one of PO_KEEP_TEST. Minima of the load are tensile. */
+static bool is_of_test(const po_kept_points *kept, const po_branch_point *p, bool minimum) {
+  if (p->kind == PO_POINT_APPROACH_MIN)
+    return p->unstable_modes == 0;
+  if (!minimum && !is_loading(p->kind))
+    return false;
+  for (size_t k = kept->count; k-- > 0;) {
+    const po_kept_point *last = &kept->points[k];
+    if (minimum && last->kind == PO_POINT_LOAD_MIN)
+      return p->load < last->load;
+    if (!minimum && is_loading(last->kind))
+      return p->approach >= last->approach;
+  }
+  return true;
+}
+
 /* Keeps a special point on panels if it is one of those that are wanted. Given: the margin of the
  * stopping rule. Status: PO_NO_MEMORY. */
 static po_status keep_point(po_kept_points *kept, const po_branch_point *p, double margin) {
   const bool fold = p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN;
   const bool minimum = p->kind == PO_POINT_LOAD_MIN && p->load < 0.0;
-  if (!p->solution || !(kept->minima ? minimum : fold))
+  const bool wanted = kept->which == PO_KEEP_TEST     ? is_of_test(kept, p, minimum)
+                      : kept->which == PO_KEEP_MINIMA ? minimum
+                                                      : fold;
+  if (!p->solution || !wanted)
     return PO_OK;
   po_kept_point *points = po_grow(kept->points, kept->count, &kept->room, sizeof *points);
   if (!points)
     return PO_NO_MEMORY;
   kept->points = points;
   po_kept_point *new = &points[kept->count++];
-  *new = (po_kept_point){.approach = p->approach, .load = p->load, .margin = margin};
+  *new = (po_kept_point){.kind = p->kind,
+                         .position = p->position,
+                         .approach = p->approach,
+                         .load = p->load,
+                         .unstable_modes = p->unstable_modes,
+                         .margin = margin};
   const po_status status = po_solution_allocate(&new->point, p->solution->n, &kept->arrays);
   if (!status)
     po_solution_copy(p->solution, &new->point);

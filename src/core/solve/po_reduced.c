@@ -1,20 +1,21 @@
 #include "po_reduced.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-#include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_load_unit.h"
+#include "po_memory.h"
+#include "po_reduced_parts.h"
 #include "po_rigid.h"
-#include "po_solve_parts.h"
 
 /* Width of an edge, as po_reduced_width, with the greatest and the least range that is solved. Half
  * the width changes the force by about as much of it; at the least one the extrapolated force of
  * all scenes tried was right to 1e-8. */
 #define WIDEST 4e-2
-static const double NARROWEST = 1e-5;
+static const double NARROWEST = 1e-6;
 
-/* The widths of the first and the last of SOLVES ranges differ by this factor, 2^(SOLVES - 1). */
+/* The widths of the first and the last of the ranges of a limit differ by a factor of 32. */
 const double PO_REDUCED_MOST_WIDTH = WIDEST / 32.0;
 
 /* Below this width a scene is solved so without being asked, over the square root of the tolerance:
@@ -33,20 +34,12 @@ static const double OF_TOLERANCE = 0.03;
 /* Part of the tolerance at which the extrapolated force is accurate enough. */
 static const double ENOUGH = 0.5;
 
-/* Beyond these errors the limit of a special point or a preload is not stated: of the load,
- * relative to the tolerance times the pull-off force; of the approach, to a^2/R at pull-off. */
-static const double MOST_OF_POINT = 10.0, CLOSE = 1e-3;
+/* Ranges between two traces; and how many traces in a row may fail. */
+enum { APART = 2, FAILURES = 4 };
 
-/* A crest of radius R jumps into contact from the gap D at which the attraction w eps^2/D^3 on the
- * area R D deflects the surface by about D: D^(7/2) = w eps^2 sqrt(R)/E*, so that D, and with it
- * approach and load, change with the power 4/7 of the range. Over the ranges that are solved, of
- * ratio 5.7, they change by 1.7 times what is left. (Smooth spheres of Tabor parameters 100 to
- * 10,000 have the power 0.56, a second crest on gelatin 0.54.) AGAIN is 2.5 times what is left. */
-static const double AGAIN = 1.5;
-
-/* Terms of F(s), found from as many solves; one solve more for the error; how many solves in a row
- * may fail; and how many more are made if it is not known on which stretch loading is reversed. */
-enum { TERMS = 5, SOLVES = TERMS + 1, FAILURES = 4, FURTHER = 3 };
+/* The same minimum of the load by a trace and followed to it: the greatest difference of the loads,
+ * in tolerances of the trace, and of the approaches, relative to 1 + its modulus. */
+static const double SAME_LOAD = 10.0, SAME_APPROACH = 1e-2;
 
 double po_reduced_width(const po_scene *scene) {
   const double length = po_scene_is_wavy(scene) ? po_initial_gap_detail(scene) : INFINITY;
@@ -77,9 +70,7 @@ bool po_reduced_is_resort(const po_request *request, po_status status) {
   return stuck && po_reduced_applies(request);
 }
 
-/* The request with a range `s` times as great: every length in units of eps is so much smaller, and
- * so is the Tabor parameter; loads in pi w R are the same. */
-static po_request with_range(const po_request *request, double s) {
+po_request po_reduced_request(const po_request *request, double s) {
   po_request r = *request;
   r.scene.tabor /= s;
   r.scene.radius /= s;
@@ -99,343 +90,10 @@ static po_request with_range(const po_request *request, double s) {
 
 po_request po_reduced_narrowest(const po_request *request) {
   const double s = sqrt(NARROWEST / po_reduced_width(&request->scene));
-  return with_range(request, fmax(1.0, s));
+  return po_reduced_request(request, fmax(1.0, s));
 }
 
-/* -- Extrapolation -- */
-
-/* The last solves: their ranges, decreasing, and results; and how many there were. */
-typedef struct {
-  double range[SOLVES];
-  po_result result[SOLVES];
-  int count;
-} solves;
-
-/* The weights of values at the ranges, of which the sum is F(1). Given: the number of terms, and
- * the first of as many values. The unknowns are eliminated without pivots, of which none is small:
- * ranges differ by STEP or more. */
-static void weights_of(const solves *s, int first, int terms, double weight[SOLVES]) {
-  double a[TERMS][TERMS + 1];
-  const double unit = s->range[first + terms - 1];
-  for (int k = 0; k <= terms; ++k) {
-    const double x = (k < terms ? s->range[first + k] : 1.0) / unit, l = po_log(x);
-    const double term[TERMS] = {1.0, x * x, x * x * l, x * x * x, x * x * x * l};
-    for (int t = 0; t < terms; ++t)
-      a[t][k] = term[t];
-  }
-  for (int k = 0; k < terms; ++k)
-    for (int t = 0; t < terms; ++t) {
-      if (t == k)
-        continue;
-      const double factor = a[t][k] / a[k][k];
-      for (int j = k; j <= terms; ++j)
-        a[t][j] -= factor * a[k][j];
-    }
-  for (int k = 0; k < SOLVES; ++k)
-    weight[k] = 0.0;
-  for (int k = 0; k < terms; ++k)
-    weight[first + k] = a[k][terms] / a[k][k];
-}
-
-/* A number of the results at the true range. */
-typedef struct {
-  /* Weights of the values: of all terms by the last solves, by those before, and with one term
-   * less.
-   */
-  double weight[SOLVES], before[SOLVES], fewer[SOLVES];
-} limit;
-
-static limit limit_of(const solves *s) {
-  limit l;
-  weights_of(s, SOLVES - TERMS, TERMS, l.weight);
-  weights_of(s, SOLVES - TERMS - 1, TERMS, l.before);
-  weights_of(s, SOLVES - TERMS + 1, TERMS - 1, l.fewer);
-  return l;
-}
-
-/* Returned: the limit of values, and a bound of its error: by half the widths of the edges the
- * error of the limit falls to half or less, so that it is at most the change by the last solve;
- * where that change is small by chance, the last term says more. */
-static double at_limit(const limit *l, const double value[SOLVES], const double error[SOLVES],
-                       double *bound) {
-  double sum = 0.0, before = 0.0, fewer = 0.0, noise = 0.0;
-  for (int k = 0; k < SOLVES; ++k) {
-    sum += l->weight[k] * value[k];
-    before += l->before[k] * value[k];
-    fewer += l->fewer[k] * value[k];
-    noise += fabs(l->weight[k]) * error[k];
-  }
-  *bound = fmax(fabs(sum - before), fabs(sum - fewer)) + noise;
-  return sum;
-}
-
-/* -- Results at the true range -- */
-
-/* Gathers a member of every result. */
-#define GATHER(member)                                                                             \
-  {                                                                                                \
-    s->result[0].member, s->result[1].member, s->result[2].member, s->result[3].member,            \
-        s->result[4].member, s->result[5].member                                                   \
-  }
-_Static_assert(SOLVES == 6, "GATHER has six results");
-
-/* Sets a member and its error to the limit. */
-#define TO_LIMIT(member, error_member)                                                             \
-  do {                                                                                             \
-    const double values[] = GATHER(member), errors[] = GATHER(error_member);                       \
-    o->member = at_limit(l, values, errors, &o->error_member);                                     \
-  } while (false)
-
-static void limit_of_pull_off(const solves *s, const limit *l, po_result *o) {
-  static const double none[SOLVES] = {0.0};
-  double ignored;
-  TO_LIMIT(pull_off.force, pull_off.force_error);
-  TO_LIMIT(pull_off.approach, pull_off.approach_error);
-  TO_LIMIT(pull_off.contact_radius, pull_off.contact_radius_error);
-  if (o->pull_off.has_sensitivity) {
-    const double tabor[] = GATHER(pull_off.sensitivity.tabor),
-                 radius[] = GATHER(pull_off.sensitivity.radius),
-                 amplitude[] = GATHER(pull_off.sensitivity.amplitude),
-                 wavelength[] = GATHER(pull_off.sensitivity.wavelength);
-    o->pull_off.sensitivity.tabor = at_limit(l, tabor, none, &ignored);
-    o->pull_off.sensitivity.radius = at_limit(l, radius, none, &ignored);
-    o->pull_off.sensitivity.amplitude = at_limit(l, amplitude, none, &ignored);
-    o->pull_off.sensitivity.wavelength = at_limit(l, wavelength, none, &ignored);
-  }
-}
-
-/* The greatest pull-off of all preloads is known if it is in every result, and the same pull-off in
- * all or in none. */
-static void limit_of_any(const solves *s, const limit *l, po_result *o) {
-  bool known = true, same = true;
-  for (int k = 0; k < SOLVES; ++k) {
-    const po_result *r = &s->result[k];
-    known =
-        known && r->pull_off_any.is_known && r->pull_off_any.complete == o->pull_off_any.complete;
-    same = same && r->pull_off_any.force == r->pull_off.force;
-  }
-  o->pull_off_any.is_known = known;
-  if (same) {
-    o->pull_off_any.force = o->pull_off.force;
-    o->pull_off_any.force_error = o->pull_off.force_error;
-    o->pull_off_any.approach = o->pull_off.approach;
-    o->pull_off_any.approach_error = o->pull_off.approach_error;
-  } else if (known) {
-    TO_LIMIT(pull_off_any.force, pull_off_any.force_error);
-    TO_LIMIT(pull_off_any.approach, pull_off_any.approach_error);
-  }
-}
-
-/* The greatest errors of loads and approaches of which the limit is called known, pi w R and eps.
- */
-typedef struct {
-  double load, approach;
-} known;
-
-/* Replaces a special point by its limit. Given: the same one of every result. Returned: whether the
- * limit is known. That of a jump into contact from afar, of which the place depends on the range,
- * is not. */
-static bool limit_of_point(const po_special_point *const of[SOLVES], const limit *l,
-                           const known *most, po_special_point *to) {
-  double load[SOLVES], approach[SOLVES], radius[SOLVES], energy[SOLVES], errors[4][SOLVES];
-  for (int k = 0; k < SOLVES; ++k) {
-    if (of[k]->kind != to->kind)
-      return false;
-    load[k] = of[k]->load;
-    approach[k] = of[k]->approach;
-    radius[k] = of[k]->contact_radius;
-    energy[k] = of[k]->energy;
-    errors[0][k] = of[k]->load_error;
-    errors[1][k] = of[k]->approach_error;
-    errors[2][k] = of[k]->contact_radius_error;
-    errors[3][k] = of[k]->energy_error;
-  }
-  to->load = at_limit(l, load, errors[0], &to->load_error);
-  to->approach = at_limit(l, approach, errors[1], &to->approach_error);
-  to->contact_radius = at_limit(l, radius, errors[2], &to->contact_radius_error);
-  to->energy = at_limit(l, energy, errors[3], &to->energy_error);
-  return to->load_error <= most->load && to->approach_error <= most->approach;
-}
-
-/* Replaces the special points of a list of the last result by their limits, and leaves out those of
- * which the limit is not known. Given: the list of each result. The points are counted from the
- * ends of the lists: the range changes how many there are where the bodies jump into contact from
- * afar. Returned: the number of points left. */
-static size_t limit_of_points(const po_special_point *const list[SOLVES],
-                              const size_t count[SOLVES], const limit *l, const known *most,
-                              po_special_point *to) {
-  size_t left = 0;
-  size_t least = count[0];
-  for (int k = 1; k < SOLVES; ++k)
-    least = count[k] < least ? count[k] : least;
-  for (size_t back = least; back > 0; --back) {
-    const po_special_point *of[SOLVES];
-    for (int k = 0; k < SOLVES; ++k)
-      of[k] = &list[k][count[k] - back];
-    po_special_point point = *of[SOLVES - 1];
-    if (limit_of_point(of, l, most, &point))
-      to[left++] = point;
-  }
-  return left;
-}
-
-/* A preload at the true range; NAN if its limit is not known. */
-static void limit_of_preload(const limit *l, const known *most, const po_preload of[SOLVES],
-                             po_preload *to) {
-  static const double none[SOLVES] = {0.0};
-  double approach[SOLVES], load[SOLVES], error;
-  for (int k = 0; k < SOLVES; ++k) {
-    approach[k] = of[k].approach;
-    load[k] = of[k].load;
-  }
-  to->load = at_limit(l, load, none, &error);
-  to->approach = at_limit(l, approach, none, &error);
-  if (!(error <= most->approach))
-    *to = (po_preload){NAN, NAN};
-}
-
-/* The result at the true range, in place of the last result. */
-static void to_limit(solves *s, const po_request *request) {
-  po_result *o = &s->result[SOLVES - 1];
-  const limit l = limit_of(s);
-  const double before = o->pull_off.force;
-  const po_special_point *const folds[] = GATHER(folds), *const extrema[] = GATHER(extrema);
-  const size_t fold_count[] = GATHER(fold_count), extremum_count[] = GATHER(extremum_count);
-  o->range.is_reduced = true;
-  o->range.least = s->range[SOLVES - 1];
-  o->range.greatest = s->range[0];
-  limit_of_pull_off(s, &l, o);
-  limit_of_any(s, &l, o);
-  o->range.change = o->pull_off.force - before;
-  const double radius = o->pull_off.contact_radius, scale = request->scene.radius;
-  const known most = {MOST_OF_POINT * request->mesh.tolerance * o->pull_off.force,
-                      CLOSE * radius * radius / scale};
-  o->fold_count = limit_of_points(folds, fold_count, &l, &most, o->folds);
-  o->extremum_count = limit_of_points(extrema, extremum_count, &l, &most, o->extrema);
-  limit_of_preload(&l, &most, (const po_preload[])GATHER(pull_off.pressed), &o->pull_off.pressed);
-  limit_of_preload(&l, &most, (const po_preload[])GATHER(pull_off.until), &o->pull_off.until);
-  limit_of_preload(&l, &most, (const po_preload[])GATHER(pull_off_any.pressed),
-                   &o->pull_off_any.pressed);
-}
-
-/* -- Where loading jumps -- */
-
-/* A smaller range lets loading jump later: the crest of a wave is attracted from less far away. The
- * place of such a jump changes with the power 4/7 of the range, so that its limit is not known by
- * the expansion above; by how much it changes is. Where loading might reach the preload before a
- * jump at the true range, and did not at a greater one, it would be reversed on another stretch of
- * the branch, and another pull-off would follow. */
-
-/* The jumps of loading before the preload, the last one first: the greatest load since the jump
- * before, pi w R, and the approach, eps. */
-enum { MOST_JUMPS = 16 };
-typedef struct {
-  double load[MOST_JUMPS], approach[MOST_JUMPS];
-  int count;
-} jumps;
-
-static void add_jump(jumps *of, double load, double approach) {
-  of->count += of->count < MOST_JUMPS;
-  for (int k = of->count; --k > 0;) {
-    of->load[k] = of->load[k - 1];
-    of->approach[k] = of->approach[k - 1];
-  }
-  of->load[0] = load;
-  of->approach[0] = approach;
-}
-
-/* The special point that follows along the branch; NULL: there is none. */
-static const po_special_point *next_point(const po_result *o, size_t *fold, size_t *extremum) {
-  const bool folds = *fold < o->fold_count, extrema = *extremum < o->extremum_count;
-  if (!folds && !extrema)
-    return NULL;
-  const bool takes_fold =
-      folds && (!extrema || o->folds[*fold].position < o->extrema[*extremum].position);
-  return takes_fold ? &o->folds[(*fold)++] : &o->extrema[(*extremum)++];
-}
-
-/* Loading visits the points whose approach exceeds that of all points before. */
-static jumps jumps_of(const po_result *o, const po_preload *preload) {
-  jumps of = {.count = 0};
-  double load = -INFINITY, approach = -INFINITY;
-  size_t fold = 0, extremum = 0;
-  for (const po_special_point *p; (p = next_point(o, &fold, &extremum));) {
-    if (!(p->approach >= approach) || (p->kind != PO_JUMP_IN && p->kind != PO_MAXIMUM))
-      continue;
-    if (p->load >= preload->load || p->approach >= preload->approach)
-      break;
-    approach = p->approach;
-    load = fmax(load, p->load);
-    if (p->kind == PO_JUMP_IN) {
-      add_jump(&of, load, approach);
-      load = -INFINITY;
-    }
-  }
-  return of;
-}
-
-/* The range of numbers, of which there may be none. */
-typedef struct {
-  double least, most;
-} spread;
-
-static void widen(spread *s, double value) {
-  s->least = fmin(s->least, value);
-  s->most = fmax(s->most, value);
-}
-
-/* Whether a number that loading reaches before it jumps stays below the preload at the true range:
- * by AGAIN times as much as it has changed over the ranges that were solved. */
-static bool stays_below(const spread *s, double preload) {
-  return isnan(preload) || s->most + AGAIN * (s->most - s->least) < preload;
-}
-
-/* Whether loading is reversed on the same stretch at the true range. */
-static bool is_same_stretch(const solves *s, const po_request *request) {
-  const po_preload preload = po_request_preload(request);
-  jumps of[SOLVES];
-  for (int k = 0; k < SOLVES; ++k)
-    of[k] = jumps_of(&s->result[k], &preload);
-  for (int j = 0; j < MOST_JUMPS; ++j) {
-    spread load = {INFINITY, -INFINITY}, approach = load;
-    for (int k = 0; k < SOLVES; ++k)
-      if (j < of[k].count) {
-        widen(&load, of[k].load[j]);
-        widen(&approach, of[k].approach[j]);
-      }
-    if (load.most > -INFINITY &&
-        !(stays_below(&load, preload.load) && stays_below(&approach, preload.approach)))
-      return false;
-  }
-  return true;
-}
-
-/* The error of the extrapolated force over the tolerance times the force; INFINITY if there are too
- * few results, or it is not known on which stretch loading is reversed. */
-static double excess_of(const solves *s, const po_request *request) {
-  const double tolerance = request->mesh.tolerance;
-  if (s->count < SOLVES || !is_same_stretch(s, request))
-    return INFINITY;
-  const limit l = limit_of(s);
-  const double force[] = GATHER(pull_off.force), errors[] = GATHER(pull_off.force_error);
-  double error;
-  const double value = at_limit(&l, force, errors, &error);
-  return error / (tolerance * fabs(value));
-}
-
-/* -- The solves -- */
-
-/* Adds a result, the oldest one going. */
-static void add_result(solves *s, double range, const po_result *result) {
-  po_result_clear(&s->result[0]);
-  for (int k = 1; k < SOLVES; ++k) {
-    s->range[k - 1] = s->range[k];
-    s->result[k - 1] = s->result[k];
-  }
-  s->range[SOLVES - 1] = range;
-  s->result[SOLVES - 1] = *result;
-  ++s->count;
-}
+/* -- Traces -- */
 
 /* The watcher of a request, whose approaches are in its own units. */
 typedef struct {
@@ -448,18 +106,140 @@ static void watch_scaled(void *of, double approach, double load) {
   w->request->watch(w->request->watcher, approach * w->range, load);
 }
 
-static po_status solve_one(const po_request *request, double range, po_reduced_solver *solve,
-                           po_result *result) {
-  po_request r = with_range(request, range);
-  watcher w = {request, range};
+static po_range_trace no_trace(void) {
+  return (po_range_trace){.at = -1, .kept = {.which = PO_KEEP_TEST}, .result = po_result_none()};
+}
+
+static void clear_trace(po_range_trace *t) {
+  po_kept_points_clear(&t->kept);
+  po_result_clear(&t->result);
+  *t = no_trace();
+}
+
+/* Traces with one of the ranges. */
+static po_status trace_one(const po_ranges *ranges, int at, po_reduced_solver *solve,
+                           po_range_trace *t) {
+  const double range = ranges->range[at];
+  po_request r = po_reduced_request(ranges->request, range);
+  watcher w = {ranges->request, range};
   if (r.watch) {
     r.watch = watch_scaled;
     r.watcher = &w;
   }
-  const po_status status = solve(&r, result);
-  po_load_unit_lengthen(result, range);
+  t->at = at;
+  return solve(&r, &t->kept, &t->result);
+}
+
+/* The kept minimum of the load that is a pull-off of the trace; NULL: it is not on panels. Given:
+ * the approach, which the finest mesh may have corrected. */
+static const po_kept_point *minimum_of(const po_range_trace *t, double approach) {
+  const po_kept_point *nearest = NULL;
+  for (size_t k = 0; k < t->kept.count; ++k) {
+    const po_kept_point *p = &t->kept.points[k];
+    if (p->kind == PO_POINT_LOAD_MIN &&
+        (!nearest || fabs(p->approach - approach) < fabs(nearest->approach - approach)))
+      nearest = p;
+  }
+  return nearest;
+}
+
+static const po_kept_point *pull_off_of(const po_range_trace *t) {
+  return minimum_of(t, t->result.pull_off.approach);
+}
+
+/* The deepest minimum of the load before a jump of loading; NULL: none. */
+static const po_kept_point *deepest_before(const po_range_trace *t, const po_kept_point *jump) {
+  const po_kept_point *deepest = NULL;
+  for (size_t k = 0; k < t->kept.count; ++k) /* each kept minimum is deeper than all before */
+    if (t->kept.points[k].kind == PO_POINT_LOAD_MIN && t->kept.points[k].position < jump->position)
+      deepest = &t->kept.points[k];
+  return deepest;
+}
+
+/* The fold at which the stretch of a minimum of the load begins; NULL: none. */
+static const po_kept_point *begin_of(const po_range_trace *t, const po_kept_point *minimum) {
+  const po_kept_point *begin = NULL;
+  for (size_t k = 0; k < t->kept.count; ++k) {
+    const po_kept_point *p = &t->kept.points[k];
+    if (p->kind == PO_POINT_APPROACH_MIN && p->position < minimum->position)
+      begin = p;
+  }
+  return begin;
+}
+
+/* The jump of loading beyond which the pull-off is that of the trace; NULL: none. */
+static const po_kept_point *jump_of(const po_range_trace *t) {
+  const double approach = t->result.pull_off.pressed.approach;
+  const double close = SAME_APPROACH * (1.0 + fabs(approach));
+  for (size_t k = 0; k < t->kept.count; ++k) {
+    const po_kept_point *p = &t->kept.points[k];
+    if (p->kind == PO_POINT_APPROACH_MAX && fabs(p->approach - approach) < close)
+      return p;
+  }
+  return NULL;
+}
+
+/* -- The limit -- */
+
+/* The error of the extrapolated force over the tolerance times the force; INFINITY if the pull-off
+ * is not known at enough ranges. */
+static double excess_of(const po_ranges *ranges, const po_range_track *t) {
+  const int first = t->last - PO_RANGES_OF_LIMIT + 1;
+  if (first < t->first)
+    return INFINITY;
+  const po_range_limit l = po_range_limit_of(&ranges->range[first]);
+  double load[PO_RANGES_OF_LIMIT], error[PO_RANGES_OF_LIMIT], bound;
+  for (int k = 0; k < PO_RANGES_OF_LIMIT; ++k) {
+    load[k] = t->at[first + k].point.load;
+    error[k] = t->at[first + k].point.load_error;
+  }
+  const double value = po_range_limit_at(&l, load, error, &bound);
+  return bound / (ranges->request->mesh.tolerance * fabs(value));
+}
+
+/* Follows a point to the ranges from `first` to `last`, and on until the excess is small enough if
+ * that is asked for. */
+static po_status follow_point(const po_range_follower *f, const po_kept_point *p, int first,
+                              int last, double enough, po_range_track *t) {
+  po_status status = po_range_course_begin(f->course, p, t);
+  while (!status && t->first > first)
+    status = po_range_course_next(f->course, false, t);
+  if (!status && t->first < f->trace->at)
+    status = po_range_course_again(f->course, p);
+  while (!status && t->last < f->ranges->count - 1 &&
+         (t->last < last || !(excess_of(f->ranges, t) <= enough)))
+    status = po_range_course_next(f->course, true, t);
   return status;
 }
+
+/* Whether a minimum of the load that was followed to the range of another trace is the one with the
+ * given load and approach there. */
+static bool is_same(const po_request *request, const po_range_trace *t, const po_range_track *track,
+                    double load, double load_error, double approach) {
+  const po_special_point *p = &track->at[t->at].point;
+  const double tolerance = OF_TOLERANCE * request->mesh.tolerance * fabs(load);
+  return fabs(load - p->load) <= SAME_LOAD * tolerance + p->load_error + load_error &&
+         fabs(approach - p->approach) <= SAME_APPROACH * (1.0 + fabs(p->approach));
+}
+
+/* Whether it is the pull-off there. */
+static bool is_pull_off_of(const po_request *request, const po_range_trace *t,
+                           const po_range_track *track) {
+  const po_result *o = &t->result;
+  return is_same(request, t, track, -o->pull_off.force, o->pull_off.force_error,
+                 o->pull_off.approach);
+}
+
+/* Whether it is a minimum that is deeper than all before. The values of a trace are not corrected
+ * by those of a finer mesh. */
+static bool is_kept_by(const po_request *request, const po_range_trace *t,
+                       const po_range_track *track) {
+  const po_kept_point *p = minimum_of(t, track->at[t->at].point.approach);
+  return p &&
+         is_same(request, t, track, p->load, request->mesh.tolerance * fabs(p->load), p->approach);
+}
+
+/* -- The solve -- */
 
 static bool ends(po_status status) {
   return status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME ||
@@ -477,60 +257,176 @@ static po_status inaccurate(const po_request *request, const po_result *o, doubl
                  o->pull_off.force_error * unit, excess);
 }
 
-static po_status undecided(po_result *o) {
+static po_status undecided(const po_ranges *ranges, po_result *o) {
   o->has_pull_off = o->pull_off_any.is_known = false;
   return po_fail(
       PO_NOT_CONVERGED,
       "with ranges of the attraction %.3g to %.3g times as great loading jumps so close "
       "to the preload that with the true one it may be reversed before: expected another "
       "preload, or the range exact",
-      o->range.least, o->range.greatest);
+      ranges->range[ranges->count - 1], ranges->range[0]);
 }
 
-/* The result by all solves. Returned: its status. */
-static po_status conclude(solves *s, const po_request *request, double excess, po_result *result) {
-  po_message_clear();
-  to_limit(s, request);
+/* A solve: the ranges, two traces, and tracks of special points. */
+typedef struct {
+  po_ranges ranges;
+  po_range_trace before, now; /* at: -1 of a trace that has not been made */
+  po_range_track pull_off, begin, jump, any, work_track;
+  po_work work;
+  const po_kept_point *minimum; /* that is the pull-off */
+  int next; /* index of the range of the next trace; -1: the solve is complete */
+} search;
+
+/* Follows a special point as far as the pull-off. Returned: its track; NULL: the trace has none, or
+ * it ends before. */
+static const po_range_track *follow_beside(const search *s, const po_range_follower *f,
+                                           const po_kept_point *p, po_range_track *track,
+                                           po_status *status) {
+  if (!p || *status)
+    return NULL;
+  const int first = s->pull_off.last - PO_RANGES_OF_LIMIT + 1;
+  const po_status followed = follow_point(f, p, first, s->pull_off.last, INFINITY, track);
+  if (ends(followed))
+    *status = followed;
+  return followed ? NULL : track;
+}
+
+/* Makes the result of the last trace that of the solve, in units of the true range. */
+static void take_result(search *s, po_result *result) {
   po_result_clear(result);
-  *result = s->result[SOLVES - 1];
-  s->result[SOLVES - 1] = po_result_none();
-  if (isinf(excess))
-    return undecided(result);
-  return excess > PO_MOST_EXCESS ? inaccurate(request, result, excess) : PO_OK;
+  *result = s->now.result;
+  s->now.result = po_result_none();
+  po_load_unit_lengthen(result, s->ranges.range[s->now.at]);
+}
+
+/* Completes a solve whose pull-off has been followed. Given: whether it is that of the trace. */
+static po_status conclude(search *s, const po_range_follower *f, bool is_traced,
+                          po_result *result) {
+  const po_request *request = s->ranges.request;
+  const po_result *o = &s->now.result;
+  const bool is_any =
+      is_traced && o->pull_off_any.is_known && o->pull_off_any.force != o->pull_off.force;
+  const po_kept_point *other = is_any ? minimum_of(&s->now, o->pull_off_any.approach) : NULL;
+  const po_kept_point *last = is_traced ? jump_of(&s->now) : NULL;
+  po_status status = PO_OK;
+  const po_range_points points = {
+      .pull_off = &s->pull_off,
+      .begin = follow_beside(s, f, begin_of(&s->now, s->minimum), &s->begin, &status),
+      .jump = follow_beside(s, f, last, &s->jump, &status),
+      .any = follow_beside(s, f, other, &s->any, &status)};
+  if (status)
+    return status;
+  po_message_clear();
+  take_result(s, result);
+  result->pull_off_any.is_known &= is_traced && (!is_any || points.any);
+  if (!is_traced) { /* the trace went on beyond the reversal */
+    result->pull_off.full_disc = NAN;
+    result->pull_off_any.searched = (po_preload){NAN, NAN};
+  }
+  status = po_range_limit_take(&s->ranges, &points, s->pull_off.last, result);
+  const double excess = excess_of(&s->ranges, &s->pull_off);
+  return status ? status : excess > PO_MOST_EXCESS ? inaccurate(request, result, excess) : PO_OK;
+}
+
+/* Follows the minimum to as many ranges as its error needs, and completes the solve. */
+static po_status follow_minimum(search *s, const po_range_follower *f, bool is_traced,
+                                po_result *result) {
+  const int last = s->before.at + PO_RANGES_OF_LIMIT - 1;
+  const po_status status = follow_point(f, s->minimum, s->before.at, last, ENOUGH, &s->pull_off);
+  if (ends(status) || isinf(excess_of(&s->ranges, &s->pull_off)))
+    return status ? status : PO_NOT_CONVERGED;
+  if (!is_traced && !is_kept_by(s->ranges.request, &s->before, &s->pull_off))
+    return PO_NOT_CONVERGED;
+  s->next = -1;
+  return conclude(s, f, is_traced, result);
+}
+
+/* Follows the pull-off of the last trace to the range of the one before, where it has to be the
+ * same, then the jumps of loading to smaller ones, then what is the pull-off at the true range.
+ * Returned: s->next: -1 if the solve is complete. */
+static po_status follow_all(search *s, const po_range_follower *f, po_result *result) {
+  s->minimum = pull_off_of(&s->now);
+  po_status status = follow_point(f, s->minimum, s->before.at, s->now.at, INFINITY, &s->pull_off);
+  if (status)
+    return status;
+  if (!is_pull_off_of(s->ranges.request, &s->before, &s->pull_off))
+    return PO_NOT_CONVERGED;
+  bool known;
+  const po_kept_point *before;
+  status = po_range_find_reversal(f, &known, &before);
+  if (status)
+    return status;
+  if (before)
+    s->minimum = deepest_before(&s->now, before);
+  if (known && s->minimum)
+    return follow_minimum(s, f, !before, result);
+  s->next = -1;
+  take_result(s, result);
+  return undecided(&s->ranges, result);
+}
+
+/* The same, of which only failures that end the solve are returned. */
+static po_status follow_trace(search *s, po_result *result) {
+  po_range_follower f = {.ranges = &s->ranges, .trace = &s->now, .track = &s->work_track};
+  po_status status = po_range_course_create(&s->ranges, &s->now, &f.course);
+  if (!status)
+    status = follow_all(s, &f, result);
+  po_range_course_destroy(f.course, &s->work);
+  return s->next < 0 || ends(status) ? status : PO_OK;
+}
+
+/* Makes the trace with the next range, and follows its points. */
+static po_status go_on(search *s, po_reduced_solver *solve, int *failures, po_result *result) {
+  const int at = s->next;
+  po_status status = trace_one(&s->ranges, at, solve, &s->now);
+  po_work_add(&s->now.result.work, &s->work);
+  const bool fails = status || !s->now.result.has_pull_off || !pull_off_of(&s->now);
+  *failures = fails ? *failures + 1 : 0;
+  s->next = at + (fails ? 1 : APART);
+  if (fails) {
+    take_result(s, result);
+    clear_trace(&s->before);
+    clear_trace(&s->now);
+    return status;
+  }
+  if (s->before.at >= 0)
+    status = follow_trace(s, result);
+  clear_trace(&s->before);
+  s->before = s->now;
+  s->now = no_trace();
+  if (s->next != s->before.at + APART)
+    clear_trace(&s->before);
+  return status;
+}
+
+static po_ranges ranges_of(const po_request *request) {
+  const double width = po_reduced_width(&request->scene);
+  po_ranges r = {.request = request};
+  for (double range = sqrt(WIDEST / width);
+       range > 1.0 && width * range * range > NARROWEST && r.count < PO_MOST_RANGES; range /= STEP)
+    r.range[r.count++] = range;
+  return r;
 }
 
 po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, po_result *result) {
-  const double width = po_reduced_width(&request->scene);
-  solves s = {.count = 0};
-  po_work work = {0};
-  po_status status = PO_OK;
-  double excess = INFINITY;
-  int failures = 0;
-  for (int k = 0; k < SOLVES; ++k)
-    s.result[k] = po_result_none();
+  search *s = po_allocate(1, sizeof *s);
   *result = po_result_none();
-  for (double range = sqrt(WIDEST / width);
-       range > 1.0 && width * range * range > NARROWEST && !(excess <= ENOUGH) &&
-       !(isinf(excess) && s.count >= SOLVES + FURTHER);
-       range /= STEP) {
-    po_result one;
-    status = solve_one(request, range, solve, &one);
-    po_work_add(&one.work, &work);
-    failures = status ? failures + 1 : 0;
-    if (status || !one.has_pull_off) {
-      po_result_clear(result);
-      *result = one;
-    } else {
-      add_result(&s, range, &one);
-      excess = excess_of(&s, request);
-    }
-    if (ends(status) || failures >= FAILURES)
-      break;
-  }
-  if (!ends(status) && s.count >= SOLVES)
-    status = conclude(&s, request, excess, result);
-  result->work = work;
-  for (int k = 0; k < SOLVES; ++k)
-    po_result_clear(&s.result[k]);
+  if (!s)
+    return PO_NO_MEMORY;
+  s->ranges = ranges_of(request);
+  s->before = s->now = no_trace();
+  po_status status = PO_OK;
+  int failures = 0;
+  while (s->next >= 0 && s->next < s->ranges.count && failures < FAILURES && !ends(status))
+    status = go_on(s, solve, &failures, result);
+  if (!status && s->next >= 0)
+    status = po_fail(PO_NOT_CONVERGED,
+                     "no range of the attraction %.3g to %.3g times as great "
+                     "leads to the pull-off: expected the range exact",
+                     s->ranges.range[s->ranges.count - 1], s->ranges.range[0]);
+  result->work = s->work;
+  clear_trace(&s->before);
+  clear_trace(&s->now);
+  free(s);
   return status;
 }

@@ -10,6 +10,7 @@
 
 #include "po_request.h"
 #include "po_result.h"
+#include "po_solve_parts.h"
 
 /* The width of a contact edge, eps/c, over the shortest wavelength, or over Gamma (Eq 14) if the
  * sphere is smooth. */
@@ -32,14 +33,16 @@ bool po_reduced_is_resort(const po_request *request, po_status status);
 /* The narrowest request that is solved, of which the size of the solve is estimated. */
 po_request po_reduced_narrowest(const po_request *request);
 
-/* Solves one request; as po_solve, without theories. */
-typedef po_status po_reduced_solver(const po_request *request, po_result *result);
+/* Solves one request; as po_solve, without theories, and keeps points of its trace. */
+typedef po_status po_reduced_solver(const po_request *request, po_kept_points *kept,
+                                    po_result *result);
 
-/* Solves with a decreasing range until the error of the extrapolated force is within the tolerance.
- * Given: a request to which it applies; a function that solves one scene. Returned: the result in
- * the units of the request, with special points of which the limit is known; it must be cleared
- * whatever the status. Status: PO_NOT_CONVERGED with the reason if the error stays above ten times
- * the tolerance; if fewer than five ranges could be solved, that of the last. */
+/* Traces with two ranges and follows what matters to smaller ones until the error of the
+ * extrapolated force is within the tolerance. Given: a request to which it applies; a function that
+ * traces one scene. Returned: the result in the units of the request, with special points of which
+ * the limit is known; it must be cleared whatever the status. Status: PO_NOT_CONVERGED with the
+ * reason if the error stays above ten times the tolerance, or if it is not known on which stretch
+ * loading is reversed; if no two traces agree, that of the last. */
 po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, po_result *result);
 
 #endif

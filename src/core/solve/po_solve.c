@@ -192,9 +192,9 @@ static po_status attempt(const po_request *request, po_kept_points *kept, po_res
   return status;
 }
 
-static po_status attempt_exact(const po_request *request, po_result *result) {
+static po_status attempt_exact(const po_request *request, po_kept_points *kept, po_result *result) {
   *result = po_result_none();
-  return attempt(request, NULL, result);
+  return attempt(request, kept, result);
 }
 
 /* Fails if the request asks for greater ranges where they do not apply. */
@@ -262,8 +262,8 @@ static po_status trace_attempts(const po_request *request, po_kept_points *kept,
   po_message_clear();
   po_status status = po_linear_reserve(1);
   if (!status)
-    status = kept && !kept->minima ? attempt(request, kept, result)
-                                   : attempt_ranges(request, kept, result);
+    status = kept && kept->which == PO_KEEP_FOLDS ? attempt(request, kept, result)
+                                                  : attempt_ranges(request, kept, result);
   result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
   return status;
 }

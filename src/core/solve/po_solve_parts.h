@@ -12,13 +12,25 @@
 /* A special point of a trace on its panels, from which parameter continuation begins. */
 typedef struct {
   po_solution point;
-  double approach, load;
+  po_point_kind kind;
+  double position, approach, load;
+  int unstable_modes;
   double margin; /* of the stopping rule at this point, see po_stopping.h */
 } po_kept_point;
 
-/* The tensile minima of the load of a trace, or its folds. */
+/* Which special points of a trace are kept. But for folds, errors are then estimated for minima of
+ * the load only. */
+typedef enum {
+  PO_KEEP_FOLDS,
+  PO_KEEP_MINIMA, /* all tensile minima of the load */
+  PO_KEEP_TEST,   /* of a test: the folds and maxima of the load that loading at given approach
+                     passes, the tensile minima that are deeper than all before, and the minima of
+                     the approach at which a stable stretch begins */
+} po_keep;
+
+/* Special points of a trace. */
 typedef struct {
-  bool minima; /* minima are kept, and the errors of folds not estimated; otherwise folds */
+  po_keep which;
   po_kept_point *points;
   size_t count, room;
   po_arena arrays;  /* of the points */

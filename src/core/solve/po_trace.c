@@ -25,7 +25,7 @@ static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LO
 static po_continuation_options options_of(const po_request *request, double begin,
                                           po_collector *reader) {
   po_continuation_options options = po_continuation_options_default();
-  options.minima_only = reader->for_series && reader->for_series->minima;
+  options.minima_only = reader->for_series && reader->for_series->which != PO_KEEP_FOLDS;
   options.end = request->approach_end;
   if (isfinite(request->preload.approach))
     options.station[0] = request->preload.approach;
@@ -250,9 +250,9 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
                                                   .traced_energy_error = NAN}},
                          .stopping = po_stopping_begin(request)};
   if (kept) {
-    const bool minima = kept->minima;
+    const po_keep which = kept->which;
     po_kept_points_clear(kept);
-    *kept = (po_kept_points){.minima = minima, .tolerance = a->tolerance};
+    *kept = (po_kept_points){.which = which, .tolerance = a->tolerance};
   }
   po_status status = PO_OK;
   if (!rigid || (request->want & PO_WANT_PROFILE) || request->show)

@@ -1,0 +1,110 @@
+/* Private to the files po_reduced*.c: the ranges of the attraction that are solved, the special
+ * points that are followed from one to the next, and their limit. */
+#ifndef PO_REDUCED_PARTS_H
+#define PO_REDUCED_PARTS_H
+
+#include "po_estimate.h"
+#include "po_reduced.h"
+
+/* The ranges, in units of the true one; each is 1/sqrt(2) of the one before, with which the width
+ * of the contact edges is halved. */
+enum { PO_MOST_RANGES = 24 };
+typedef struct {
+  const po_request *request; /* with the true range */
+  double range[PO_MOST_RANGES];
+  int count;
+} po_ranges;
+
+/* The request with one of the ranges: every length in units of eps is so much smaller, and so is
+ * the Tabor parameter; loads in pi w R are the same. */
+po_request po_reduced_request(const po_request *request, double range);
+
+/* -- Special points that are followed (po_reduced_follow.c) -- */
+
+/* A trace with one of the ranges, of PO_KEEP_TEST. */
+typedef struct {
+  int at; /* index of the range */
+  po_kept_points kept;
+  po_result result; /* lengths in the unit of the range */
+} po_range_trace;
+
+/* A special point at the ranges first to last, in the unit of each; of a minimum of the load also
+ * the sensitivity of the load and the part of the contact radius that is a full disc. */
+typedef struct {
+  int first, last;
+  po_estimate at[PO_MOST_RANGES];
+  po_sensitivity sensitivity[PO_MOST_RANGES];
+  bool has_sensitivity[PO_MOST_RANGES];
+} po_range_track;
+
+typedef struct po_range_course po_range_course;
+
+/* Given: a successful trace, which must outlive the course. Status: PO_NO_MEMORY. */
+po_status po_range_course_create(const po_ranges *ranges, const po_range_trace *trace,
+                                 po_range_course **course);
+
+/* Frees the course and adds its work. */
+void po_range_course_destroy(po_range_course *course, po_work *work);
+
+/* Begins at a special point of the trace. Returned: its track, at the range of the trace. */
+po_status po_range_course_begin(po_range_course *course, const po_kept_point *point,
+                                po_range_track *track);
+
+/* Begins there again, to follow the point to greater ranges. */
+po_status po_range_course_again(po_range_course *course, const po_kept_point *point);
+
+/* Follows the point of the last begin to the neighbouring smaller or greater range, and adds that
+ * to the track. Status: PO_NOT_FOUND if the special point ends before; as po_follow_to. */
+po_status po_range_course_next(po_range_course *course, bool smaller, po_range_track *track);
+
+/* What is followed from a trace. */
+typedef struct {
+  const po_ranges *ranges;
+  const po_range_trace *trace;
+  po_range_course *course;
+  po_range_track *track; /* work */
+} po_range_follower;
+
+/* Where loading is reversed at the true range (po_reduced_loading.c). Returned: *known, whether
+ * that is known; *before, the first jump of the trace that is not made; NULL: all are made. */
+po_status po_range_find_reversal(const po_range_follower *f, bool *known,
+                                 const po_kept_point **before);
+
+/* -- Limits at the true range (po_reduced_limit.c) -- */
+
+/* Terms of F(s), found from as many ranges; and one range more, for the error. */
+enum { PO_RANGE_TERMS = 5, PO_RANGES_OF_LIMIT = PO_RANGE_TERMS + 1 };
+
+typedef struct {
+  /* Weights of the values: of all terms by the last ranges, by those before, and with one term
+   * less. */
+  double weight[PO_RANGES_OF_LIMIT], before[PO_RANGES_OF_LIMIT], fewer[PO_RANGES_OF_LIMIT];
+} po_range_limit;
+
+/* Given: the ranges, decreasing. */
+po_range_limit po_range_limit_of(const double range[PO_RANGES_OF_LIMIT]);
+
+/* Returned: the limit of values, and a bound of its error. Given: values and their errors. */
+double po_range_limit_at(const po_range_limit *limit, const double value[PO_RANGES_OF_LIMIT],
+                         const double error[PO_RANGES_OF_LIMIT], double *bound);
+
+/* The tracks of the special points that are stated; NULL: there is none, or it ends before the last
+ * range. */
+typedef struct {
+  const po_range_track *pull_off, *any; /* any: the greatest pull-off, if it is another */
+  const po_range_track *begin;          /* the fold at which the stretch of the pull-off begins */
+  const po_range_track *jump, *crest;   /* the last jump of loading before the preload, and the
+                                           maximum of the load before it */
+} po_range_points;
+
+/* Replaces pull-off and special points of a result, in units of the true range, by their limits.
+ * Given: the tracks; the index of the last of the ranges. */
+po_status po_range_limit_take(const po_ranges *ranges, const po_range_points *points, int last,
+                              po_result *result);
+
+/* Whether the limit of a number that changes with the power 4/7 of the range is above or below a
+ * bound for certain: 1, -1; 0: it is not known. Given: its values at the ranges first to last. */
+int po_range_side_of(const po_ranges *ranges, int first, int last, const double value[],
+                     double bound);
+
+#endif
