@@ -8,37 +8,13 @@ set -u
 cd "$(dirname "$0")/../.." || exit 4
 command_name=live
 . tools/setup.sh
+. tools/sources.sh
 at=$build/live
-mkdir -p "$at/objects" "$at/include"
+mkdir -p "$at/objects"
 start_log
 [ "${1:-}" = --no-install ] ||
   install_packages clang lld wasi-libc libclang-rt-dev-wasm32 binaryen libgsl-dev libjansson-dev nettle-dev nodejs
-
-# download_sources: with an apt of its own, whose sources are the source packages of this system's
-download_sources() {
-  apt=$(pwd)/$at/apt
-  mkdir -p "$apt/sources" "$apt/state/lists/partial" "$apt/cache/archives/partial"
-  for list in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
-    [ ! -f "$list" ] || sed 's/^deb /deb-src /; s/^Types:.*/Types: deb-src/' "$list" >"$apt/sources/$(basename "$list")"
-  done
-  apt_of_sources() {
-    apt-get -q -o "Dir::State=$apt/state" -o "Dir::Cache=$apt/cache" -o Dir::Etc::SourceList=/dev/null \
-      -o "Dir::Etc::SourceParts=$apt/sources" -o Dir::State::status=/var/lib/dpkg/status -o APT::Sandbox::User=root "$@"
-  }
-  apt_of_sources update || echo 'some lists of source packages cannot be downloaded'
-  (cd "$apt" && apt_of_sources source --download-only gsl jansson nettle) || return 1
-  for name in gsl jansson nettle; do
-    mkdir -p "$at/sources/$name"
-    tar -x --strip-components 1 -C "$at/sources/$name" -f "$apt/$name"_*.orig.tar.?z || return 1
-  done
-  : >"$at/sources/complete"
-}
-[ -f "$at/sources/complete" ] || step 'Downloading sources' download_sources
-
-# The headers of this system's packages without those of its C library, which stand beside them.
-for header in gsl nettle jansson.h jansson_config.h; do ln -sfn "/usr/include/$header" "$at/include/"; done
-: >"$at/include/config.h"
-: >"$at/include/jansson_private_config.h"
+get_sources
 
 # write_ninja: prints the rules of the module. Every source file of the modules of libpulloff is in it, except for those that
 # use OpenBLAS or a file system (machine/machine.c).
@@ -60,7 +36,7 @@ write_ninja() {
   cat <<NINJA
 builddir = $at
 flags = --target=wasm32-wasi -O3 -msimd128 -DNDEBUG -ffp-contract=off -fno-math-errno -fvisibility=hidden -D_GNU_SOURCE $
-  -D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_PROCESS_CLOCKS -idirafter $at/include
+  -D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_PROCESS_CLOCKS -idirafter $sources/include
 rule own
   command = clang -std=c17 \$flags -Wall -Wextra -Wno-missing-field-initializers -DPULLOFF_VERSION=\"$version\" $include -MMD -MF \$out.d -c \$in -o \$out
   depfile = \$out.d
@@ -80,15 +56,15 @@ NINJA
   }
   for folder in $folders; do
     for source in "$folder"/*.c; do
-      case $source in */po_linear.c | */po_linear_start.c | */po_file.c) continue ;; esac
+      case $source in */po_linear.c | */po_linear_start.c | */po_file.c | */po_machine.c | */po_windows.c) continue ;; esac
       add own "$source"
     done
   done
   for source in reports/live/machine/*.c; do add own "$source"; done
-  add other "$at/sources/gsl/integration/glfixed.c"
-  for name in error message stream; do add other "$at/sources/gsl/err/$name.c"; done
-  for name in sha256 sha256-compress write-be32; do add other "$at/sources/nettle/$name.c" "-I$at/sources/nettle"; done
-  for source in "$at"/sources/jansson/src/*.c; do add other "$source"; done
+  add other "$sources/gsl/integration/glfixed.c"
+  for name in error message stream; do add other "$sources/gsl/err/$name.c"; done
+  for name in sha256 sha256-compress write-be32; do add other "$sources/nettle/$name.c" "-I$sources/nettle"; done
+  for source in "$sources"/jansson/src/*.c; do add other "$source"; done
   echo "build $at/pulloff.wasm: link $objects"
 }
 write_ninja >"$at/build.ninja"

@@ -1,7 +1,6 @@
 #include "po_lock.h"
 
 #include <pthread.h>
-#include <threads.h>
 
 static pthread_mutex_t locks[PO_LOCKS] = {PTHREAD_MUTEX_INITIALIZER, PTHREAD_MUTEX_INITIALIZER,
                                           PTHREAD_MUTEX_INITIALIZER, PTHREAD_MUTEX_INITIALIZER};
@@ -22,8 +21,8 @@ static void watch_forks(void) {
 }
 
 void po_lock_take(po_lock lock) {
-  static once_flag once = ONCE_FLAG_INIT;
-  call_once(&once, watch_forks);
+  static pthread_once_t once = PTHREAD_ONCE_INIT;
+  pthread_once(&once, watch_forks);
   pthread_mutex_lock(&locks[lock]);
 }
 

@@ -1,14 +1,11 @@
 #include "po_memory.h"
 
 #include <errno.h>
-#include <fcntl.h>
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
+#include "po_machine.h"
 #include "po_status.h"
 
 static const size_t CACHE_LINE = 64; /* bytes; also the width of an AVX-512 register */
@@ -20,7 +17,7 @@ void *po_reserve(size_t count, size_t size) {
     return NULL;
   }
   const size_t bytes = (count * size / CACHE_LINE + 1) * CACHE_LINE;
-  void *memory = aligned_alloc(CACHE_LINE, bytes);
+  void *memory = po_machine_allocate(CACHE_LINE, bytes);
   if (!memory)
     po_fail(PO_NO_MEMORY, "out of memory: %zu bytes could not be allocated", bytes);
   return memory;
@@ -110,30 +107,4 @@ void po_memory_watch(void) {
 
 bool po_memory_ran_out(void) {
   return errno == ENOMEM;
-}
-
-/* The limit that a control group sets to its processes (Linux), bytes; "max" or an absent file:
- * none. */
-static const char GROUP_LIMIT[] = "/sys/fs/cgroup/memory.max";
-
-/* Returned: that limit; INFINITY if there is none. Allocates nothing. */
-static double group_limit(void) {
-  char text[32];
-  const int file = open(GROUP_LIMIT, O_RDONLY | O_CLOEXEC);
-  if (file < 0)
-    return INFINITY;
-  const ssize_t length = read(file, text, sizeof text - 1);
-  close(file);
-  text[length > 0 ? length : 0] = '\0';
-  char *end;
-  const double bytes = strtod(text, &end);
-  return end == text ? INFINITY : bytes;
-}
-
-double po_memory_of_machine(void) {
-  double bytes = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-  struct rlimit limit;
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    bytes = fmin(bytes, (double)limit.rlim_cur);
-  return fmin(bytes, group_limit());
 }

@@ -5,10 +5,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Allocates `count` zeroed objects of `size` bytes, aligned to a cache line. With this alignment
- * the BLAS kernels take the same code path, and give the same bits, in every run. Returned: the
- * memory, to be freed with free(), a valid pointer also for a count of 0; NULL with a message if
- * memory runs out or count * size overflows. */
+/* Allocates `count` zeroed objects of `size` bytes, aligned to a cache line
+ * (see po_machine_allocate). Returned: the memory, to be freed with free(), a valid pointer also
+ * for a count of 0; NULL with a message if memory runs out or count * size overflows. */
 void *po_allocate(size_t count, size_t size);
 
 /* As po_allocate, but without zeroing: pages that are never written use no physical memory. */
@@ -51,8 +50,5 @@ char *po_copy_text(const char *text);
  * an allocation of this thread failed (POSIX: malloc then sets errno to ENOMEM). */
 void po_memory_watch(void);
 bool po_memory_ran_out(void);
-
-/* Returned: the memory of the machine, or less if the process is limited to less, bytes. */
-double po_memory_of_machine(void);
 
 #endif

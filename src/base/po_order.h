@@ -1,4 +1,4 @@
-/* Searches in arrays: for repeated items, and for the place of a number. */
+/* Sorts arrays, and searches in them: for repeated items, and for the place of a number. */
 #ifndef PO_ORDER_H
 #define PO_ORDER_H
 
@@ -10,6 +10,12 @@
 /* Compares two items. Given: `context`, passed through from the caller. Returned: < 0, 0 or > 0 if
  * `a` comes before, equals or comes after `b`. */
 typedef int po_comparison(const void *a, const void *b, void *context);
+
+/* Sorts `count` items of `size` bytes each; equal items keep their order, so that the result is the
+ * same with every C library. Given: room for as many items. Work: O(count log count)
+ * comparisons. */
+void po_order_sort(void *items, size_t count, size_t size, po_comparison *compare, void *context,
+                   void *room);
 
 /* A pair of equal items in an array. */
 typedef struct {

@@ -4,6 +4,7 @@
 
 #include "po_catalog.h"
 #include "po_environment.h"
+#include "po_machine.h"
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_order.h"
@@ -65,7 +66,7 @@ static double megabytes(double bytes) {
 
 /* Prints what the points need, and what to do if the machine has not that much. */
 static po_status print_needs(const po_plan *plan) {
-  const double memory = po_memory_of_machine();
+  const double memory = po_machine_memory();
   needs n;
   const po_status status = find_needs(plan, &n);
   if (status)
@@ -153,7 +154,7 @@ int po_verb_plan(int argc, char **argv) {
   }
   if (json && !status)
     status = po_print_document(PO_JSON_OBJECT({"schema", po_json_text("pulloff-plan/1")},
-                                              {"memory", po_json_number(po_memory_of_machine())},
+                                              {"memory", po_json_number(po_machine_memory())},
                                               {"cases", plans}));
   else
     json_decref(plans);

@@ -5,7 +5,6 @@
 #include "pulloff.h"
 
 #include <fenv.h>
-#include <locale.h>
 
 #include "po_json_value.h"
 #include "po_result.h"
@@ -29,7 +28,8 @@ struct pulloff_result {
 
 /* The state of the thread before a call of the library. */
 typedef struct {
-  locale_t locale;
+  bool entered; /* the following are to be restored */
+  void *locale;
   fenv_t floating_point;
 } po_library_call;
 

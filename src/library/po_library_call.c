@@ -5,6 +5,7 @@
 #include "po_library.h"
 #include "po_linear.h"
 #include "po_lock.h"
+#include "po_machine.h"
 
 static int users; /* threads between enter and leave */
 static gsl_error_handler_t *handler;
@@ -37,17 +38,16 @@ static void end_use(void) {
 po_status po_library_enter(po_library_call *call) {
   po_message_clear();
   po_no_memory_forget();
-  call->locale = (locale_t)0;
-  const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0); /* allocates nothing */
-  if (!plain)
+  call->entered = false;
+  if (!po_machine_plain_locale(&call->locale))
     return po_fail(PO_NO_MEMORY, "out of memory for the locale C");
   const po_status status = begin_use();
   if (status) {
     end_use();
-    freelocale(plain);
+    po_machine_set_locale(call->locale);
     return status;
   }
-  call->locale = uselocale(plain);
+  call->entered = true;
   fegetenv(&call->floating_point);
   fesetenv(FE_DFL_ENV);
   return PO_OK;
@@ -64,9 +64,9 @@ pulloff_status po_library_end(po_status status, pulloff_message *message) {
 
 pulloff_status po_library_leave(const po_library_call *call, po_status status,
                                 pulloff_message *message) {
-  if (call->locale) {
+  if (call->entered) {
     fesetenv(&call->floating_point);
-    freelocale(uselocale(call->locale));
+    po_machine_set_locale(call->locale);
     end_use();
   }
   return po_library_end(status, message);

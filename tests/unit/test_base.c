@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "po_memory.h"
+#include "po_order.h"
 #include "po_quote.h"
 #include "po_status.h"
 #include "run.h"
@@ -126,7 +127,27 @@ START_TEST(an_array_grows_when_it_is_full) {
 }
 END_TEST
 
+/* Context: a counter of the comparisons. */
+static int by_tens(const void *a, const void *b, void *context) {
+  *(int *)context += 1;
+  return *(const int *)a / 10 - *(const int *)b / 10;
+}
+
+START_TEST(sorting_keeps_the_order_of_equal_items) {
+  enum { MOST = 1000 };
+  int items[MOST], room[MOST], comparisons = 0;
+  for (int k = 0; k < _i; ++k) /* seven tens in turn, and within one ten ascending at first */
+    items[k] = 10 * ((k * 5 + 3) % 7) + k / (_i / 10 + 1);
+  po_order_sort(items, (size_t)_i, sizeof *items, by_tens, &comparisons, room);
+  for (int k = 1; k < _i; ++k)
+    ck_assert_int_le(items[k - 1], items[k]);
+  ck_assert_int_le(comparisons, 10 * MOST);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_loop_test(tests, sorting_keeps_the_order_of_equal_items, 0, 60);
+  tcase_add_loop_test(tests, sorting_keeps_the_order_of_equal_items, 1000, 1001);
   tcase_add_test(tests, an_array_grows_when_it_is_full);
   tcase_add_loop_test(tests, quotes_are_safe_to_show, 0, sizeof QUOTES / sizeof *QUOTES);
   tcase_add_test(tests, quotes_are_cut_between_characters);

@@ -1,40 +1,11 @@
-/* What wasi-libc lacks, and what the solver takes of OpenBLAS and of a file system, which the
- * module does not have. */
+/* What wasi-libc lacks, and what the solver takes of an operating system, which the module does not
+ * have. */
 #include <errno.h>
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "po_file.h"
-#include "po_linear.h"
-
-/* Sorts by merging; equal items keep their order. */
-static void merge_sort(char *items, size_t count, size_t size, char *room,
-                       int (*compare)(const void *, const void *, void *), void *context) {
-  if (count < 2)
-    return;
-  const size_t half = count / 2;
-  merge_sort(items, half, size, room, compare, context);
-  merge_sort(items + half * size, count - half, size, room, compare, context);
-  size_t left = 0, right = half;
-  for (size_t k = 0; k < count; ++k) {
-    const bool from_left =
-        right == count ||
-        (left < half && compare(items + left * size, items + right * size, context) <= 0);
-    memcpy(room + k * size, items + (from_left ? left++ : right++) * size, size);
-  }
-  memcpy(items, room, count * size);
-}
-
-void qsort_r(void *base, size_t count, size_t size,
-             int (*compare)(const void *, const void *, void *), void *context) {
-  char *room = malloc(count * size + 1);
-  if (!room)
-    abort();
-  merge_sort(base, count, size, room, compare, context);
-  free(room);
-}
+#include "po_machine.h"
 
 /* Replaces that of wasi-libc, which grows the memory by as little as 64 KiB: every growth costs the
  * browser a new ArrayBuffer, and a scene three times its time. */
@@ -60,32 +31,28 @@ void *sbrk(intptr_t more) {
   return (void *)before;
 }
 
-/* po_linear.c without OpenBLAS, which has threads to limit and estimates condition numbers. */
-void po_linear_single_thread(void) {}
-
-int po_linear_share_threads(void) {
-  return 1;
-}
-
-void po_linear_return_threads(int threads) {
-  (void)threads;
-}
-
-po_status po_linear_reserve(int threads) {
-  (void)threads;
-  return PO_OK;
-}
-
-double po_linear_condition(size_t n, const double *a, size_t stride, double norm) {
-  (void)n;
-  (void)a;
-  (void)stride;
-  (void)norm;
-  return (double)NAN;
-}
-
 /* The module has no files, and so no pipes. */
 uint64_t po_path_pipe(const char *path) {
   (void)path;
   return 0;
+}
+
+/* In place of po_machine.c. */
+void *po_machine_allocate(size_t alignment, size_t bytes) {
+  return aligned_alloc(alignment, bytes);
+}
+
+/* Half of the 4 GiB that a module can have, because memory that is freed may be in pieces. */
+double po_machine_memory(void) {
+  return 2147483648.0;
+}
+
+/* The module has one locale. */
+bool po_machine_plain_locale(void **before) {
+  *before = NULL;
+  return true;
+}
+
+void po_machine_set_locale(void *before) {
+  (void)before;
 }

@@ -9,6 +9,7 @@
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_memory.h"
+#include "po_order.h"
 
 /* Sum of the measures of the nodes that are not factorised. It costs about one iteration and saves
  * most of the matrix. */
@@ -86,16 +87,16 @@ static void solve_with(po_factors *f, double *x) {
 static int by_measure(const void *left, const void *right, void *data) {
   const double *measure = data;
   const double a = measure[*(const size_t *)left], b = measure[*(const size_t *)right];
-  const size_t i = *(const size_t *)left, j = *(const size_t *)right;
-  return a != b ? (a < b ? 1 : -1) : (i < j ? -1 : i > j); /* descending; equal measures by index */
+  return (a < b) - (a > b);
 }
 
-/* Sorts the first `count` entries of the index by their measure. Returned: how many there are
+/* Sorts the first `count` entries of the index by their measure, descending; equal measures by
+ * index. Returned: how many there are
  * without the last whose measures add up to `neglect`. */
 static size_t sort_active(po_equilibrium *e, size_t count) {
   for (size_t k = 0; k < count; ++k)
     e->index[k] = k;
-  qsort_r(e->index, count, sizeof *e->index, by_measure, e->measure);
+  po_order_sort(e->index, count, sizeof *e->index, by_measure, e->measure, e->scratch);
   double left_out = 0.0;
   for (; count > 0; --count) {
     left_out += e->measure[e->index[count - 1]];

@@ -15,7 +15,7 @@ typedef struct {
 #define SIZED(x) NAME(x##_16)
 #include "po_dense_tiles.h"
 
-#if defined(__x86_64__)
+#if PO_WIDE_VECTORS
 #define BYTES 32
 #define COLUMNS 6
 #define TARGET __attribute__((target("avx2")))
@@ -25,7 +25,7 @@ typedef struct {
 
 /* Returned: the parts for the vectors that the processor has. */
 static const NAME(vector_parts) * NAME(chosen)(void) {
-#if defined(__x86_64__)
+#if PO_WIDE_VECTORS
   if (__builtin_cpu_supports("avx2"))
     return &NAME(parts_32);
 #endif

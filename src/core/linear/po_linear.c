@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/mman.h>
-#include <threads.h>
 
 #include "po_lock.h"
 
@@ -35,8 +34,8 @@ static void end_threads(void) {
 
 /* Called once, because openblas_set_num_threads restarts threads that have ended. */
 void po_linear_single_thread(void) {
-  static once_flag ended = ONCE_FLAG_INIT;
-  call_once(&ended, end_threads);
+  static pthread_once_t ended = PTHREAD_ONCE_INIT;
+  pthread_once(&ended, end_threads);
 }
 
 int po_linear_share_threads(void) {

@@ -10,6 +10,13 @@
 #else
 #define PO_FOR_ALL_WIDTHS
 #endif
+/* Whether functions may use vectors of 32 bytes: on Windows GCC does not align those that it keeps
+ * on the stack (GCC bug 54412). */
+#if defined(__x86_64__) && !defined(_WIN32)
+#define PO_WIDE_VECTORS 1
+#else
+#define PO_WIDE_VECTORS 0
+#endif
 /* A function that becomes part of each of them. */
 #define PO_INLINE static inline __attribute__((always_inline))
 

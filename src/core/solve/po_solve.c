@@ -7,7 +7,7 @@
 #include "po_diagnose.h"
 #include "po_linear.h"
 #include "po_load_unit.h"
-#include "po_memory.h"
+#include "po_machine.h"
 #include "po_reduced.h"
 #include "po_scales.h"
 #include "po_solve_parts.h"
@@ -135,7 +135,7 @@ static po_status request_size_check(const po_request *request) {
   po_request without_search = *request; /* the bound of a search visits every wave */
   without_search.theories = NULL;
   const po_size size = po_request_size(&without_search);
-  const double least = LEAST_PART * size.bytes, memory = po_memory_of_machine();
+  const double least = LEAST_PART * size.bytes, memory = po_machine_memory();
   if (!(least > memory))
     return PO_OK;
   return po_fail(PO_OUT_OF_NODES,

@@ -2,8 +2,8 @@
 #include "po_json_value.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
-#include <threads.h>
 
 #include "po_quote.h"
 
@@ -136,9 +136,9 @@ static void watch_allocations(void) {
 }
 
 po_status po_json_parse(const char *bytes, size_t size, json_t **document) {
-  static once_flag watched = ONCE_FLAG_INIT;
+  static pthread_once_t watched = PTHREAD_ONCE_INIT;
   json_error_t error = {.line = 0};
-  call_once(&watched, watch_allocations);
+  pthread_once(&watched, watch_allocations);
   ran_out = false;
   *document = json_loadb(bytes, size, JSON_REJECT_DUPLICATES, &error);
   if (ran_out) {
