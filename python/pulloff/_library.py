@@ -9,7 +9,7 @@ import shutil
 import subprocess
 from collections.abc import Iterator
 
-NAME = "libpulloff.so.0"
+NAME = "libpulloff-0.dll" if os.name == "nt" else "libpulloff.so.0"
 
 
 class Message(ctypes.Structure):
@@ -69,12 +69,16 @@ FUNCTIONS = {
 
 
 def candidates() -> Iterator[str]:
-    """The files that may be the library, in order: that of PULLOFF_LIBRARY; below the prefix in which this module is
-    installed, and that of the program pulloff in PATH; what the dynamic linker finds; what pkg-config names."""
+    """The files that may be the library, in order: that of PULLOFF_LIBRARY; that of a wheel, beside this module; below the
+    prefix in which this module is installed, and that of the program pulloff in PATH; what the dynamic linker finds; what
+    pkg-config names."""
     chosen = os.environ.get("PULLOFF_LIBRARY")
     if chosen:
         yield chosen
         return
+    own = pathlib.Path(__file__).with_name(NAME)
+    if own.is_file():
+        yield str(own)
     prefixes = [folder.parent for folder in pathlib.Path(__file__).resolve().parents if folder.name.startswith("lib")]
     program = shutil.which("pulloff")
     if program:

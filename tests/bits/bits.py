@@ -19,7 +19,8 @@ import subprocess
 import sys
 import time
 
-SCENES = pathlib.Path(__file__).with_name("scenes.txt")
+from scenes import SCENES, read_scenes
+
 # The instructions that each set of kernels needs, by their names in /proc/cpuinfo.
 KERNELS = {"Prescott": "pni", "Core2": "ssse3", "Nehalem": "sse4_2", "Sandybridge": "avx", "Haswell": "avx2", "Zen": "avx2",
            "SkylakeX": "avx512vl", "Cooperlake": "avx512_bf16"}
@@ -37,11 +38,6 @@ def environments():
             {"OPENBLAS_CORETYPE": oldest, "GLIBC_TUNABLES": OLD_PROCESSOR}, "")
         ways |= {f"kernels {name}": ({"OPENBLAS_CORETYPE": name}, "diagnostics") for name in others}
     return ways
-
-
-def read_scenes():
-    lines = [line for line in SCENES.read_text().splitlines() if line and not line.startswith("#")]
-    return [line.split(" ", 1) for line in lines]
 
 
 def digest_of(command, scene, variables):

@@ -19,26 +19,14 @@ import time
 
 from browser import Browser
 
-SCENES = pathlib.Path(__file__).parents[1] / "bits" / "scenes.txt"
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "bits"))
+from scenes import keys_of, scenes_of_library  # noqa: E402
 
 
 def request_of(words):
-    """The request to the page for a command line, solve or theory NAME, and options."""
-    request, waves = {"keys": {}}, []
-    if words[0] == "theory":
-        request["theory"] = words[1]
-    options = [word for word in words[2 if words[0] == "theory" else 1:] if word != "--from-physical"]
-    if words[0] == "compare":  # as solve with the theories
-        options += ["--want", "theories"]
-    for name, value in zip(options[::2], options[1::2]):
-        name = name.removeprefix("--").replace("-", "_")
-        if name == "wave":
-            waves.append(value.replace(",", "@"))
-        else:
-            request["keys"][name] = value
-    if waves:
-        request["keys"]["waves"] = ";".join(waves)
-    return request
+    """The request to the page for a command line."""
+    theory, keys = keys_of(words)
+    return {"keys": keys} | ({"theory": theory} if theory else {})
 
 
 def random_scene(source):
@@ -80,8 +68,7 @@ def main():
     parser.add_argument("program")
     chosen = parser.parse_args()
     source = random.Random(chosen.seed)
-    fixed = [line.split(" ", 1) for line in SCENES.read_text().splitlines() if line and not line.startswith("#")]
-    sets = {"bits": [(shlex.split(scene), digest) for digest, scene in fixed if not scene.startswith("follow") and "+-" not in scene],
+    sets = {"bits": [(shlex.split(scene), digest) for digest, scene in scenes_of_library()],
             "random": [(random_scene(source), None) for _ in range(2 * chosen.random)]}  # some are left out
     failed = False
     with Browser() as browser:

@@ -40,4 +40,11 @@ if $python -c 'import setuptools, wheel, pip' 2>/dev/null; then
   alone PYTHONPATH="$work/site" PULLOFF_LIBRARY=/nowhere $python -B -c 'import pulloff' >said.txt 2>&1
   check 'says what to do' grep -q 'ImportError: the C library of pulloff cannot be loaded .* set PULLOFF_LIBRARY' said.txt
 fi
+# A wheel has the library beside the module.
+wheel=$($python "$source/python/wheel.py" "$(find "$work/prefix" -name libpulloff.so.0)" "$work")
+$python -m venv --system-site-packages wheel && check 'pip installs a wheel' wheel/bin/pip -q install --no-index --no-deps "$wheel"
+check 'its library is that beside the module' alone PATH=/usr/bin:/bin wheel/bin/python -I -B -c \
+  'import pulloff._library as l, sys; sys.exit(not l.C._name.startswith(sys.argv[1]))' "$work/wheel/"
+check 'the same input gives the same wheel' sh -c 'mv "$1" first.whl && "$0" "$2" "$3" . >/dev/null && cmp first.whl "$(basename "$1")"' \
+  $python "$wheel" "$source/python/wheel.py" "$(find "$work/prefix" -name libpulloff.so.0)"
 finish
