@@ -55,4 +55,15 @@ if command -v "${CXX:-c++}" >/dev/null; then
   # shellcheck disable=SC2046,SC2086
   check 'the header in C++' "${CXX:-c++}" -Wall -Wextra -Werror $sanitize $(config --cflags) main.cc -o main $(config --libs)
 fi
+# The mex file, if Octave and its compiler are there (octave-dev).
+if command -v mkoctfile >/dev/null && [ -z "$sanitize" ]; then
+  # shellcheck disable=SC2046
+  check 'the mex file compiles' mkoctfile --mex -Wall -Wextra -Werror -o pulloff_mex.mex "$examples/matlab/pulloff_mex.c" $(config --cflags --libs)
+  cp "$examples/matlab/pull_off.m" .
+  alone LD_LIBRARY_PATH="$folder" octave-cli --norc pull_off.m >octave.txt 2>&1
+  check 'the example runs in Octave' test $? -eq 0
+  check 'its digest is that of the program' grep -q \
+    "^$(alone pulloff solve --tabor 3 --amplitude 1 --wavelength 20 --want curve | grep '^digest' | tr -s ' ')$" octave.txt
+  check 'a wrong value is an error in Octave' grep -q '^refused: .*tabor is -3: expected a finite number >= 0$' octave.txt
+fi
 finish
