@@ -13,7 +13,8 @@ def read_scenes():
 
 def scenes_of_library():
     """Those of one solve or theory. Followed series have one digest only on the command line; uncertain numbers are of it."""
-    return [scene for scene in read_scenes() if not scene[1].startswith("follow") and "+-" not in scene[1]]
+    return [(digest, line.replace("HERE", str(SCENES.parent))) for digest, line in read_scenes()
+            if not line.startswith("follow") and "+-" not in line]
 
 
 def keys_of(words):

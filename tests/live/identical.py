@@ -26,7 +26,8 @@ from scenes import keys_of, scenes_of_library  # noqa: E402
 def request_of(words):
     """The request to the page for a command line."""
     theory, keys = keys_of(words)
-    return {"keys": keys} | ({"theory": theory} if theory else {})
+    files = {path: pathlib.Path(path).read_text(encoding="utf-8") for path in [keys.get("profile_file")] if path}
+    return {"keys": keys, "files": files} | ({"theory": theory} if theory else {})
 
 
 def random_scene(source):
