@@ -293,6 +293,10 @@ static double error_of(const estimate *e, double rounding) {
 /* Newton's method and rounding, relative. */
 static const double ROUNDING = 1e-9;
 
+static bool any_jumps(const run r[3]) {
+  return po_march_jumps(r[0].march) + po_march_jumps(r[1].march) + po_march_jumps(r[2].march) > 0;
+}
+
 static void take_energies(const run r[3], bool smooth, po_rate *rate) {
   const double *of[3], *begin[3];
   for (int k = 0; k < 3; ++k) {
@@ -308,10 +312,13 @@ static void take_energies(const run r[3], bool smooth, po_rate *rate) {
     value[i] = e.value;
     error[i] = SAFETY * start + error_of(&e, ROUNDING * (1.0 + fabs(e.value)));
   }
-}
-
-static bool any_jumps(const run r[3]) {
-  return po_march_jumps(r[0].march) + po_march_jumps(r[1].march) + po_march_jumps(r[2].march) > 0;
+  /* each is extrapolated by itself: what the balance of the values misses is an error of the work
+   * or of a loss, while the other energies belong to a state */
+  const double miss = fabs(balance(&rate->end.energy) - balance(&rate->begin.energy));
+  rate->end_error.work += miss;
+  rate->end_error.dissipated += miss;
+  if (any_jumps(r))
+    rate->end_error.jumps += miss;
 }
 
 /* Fills the result from three marches: coarse, with half the steps, on coarse panels. */
