@@ -21,6 +21,8 @@ NOISY = "--tabor 2 --amplitude 1e-3 --wavelength 0.02 --outer-radius 0.2 --prelo
 TABLE = "--coupling 0.3 --profile-file"
 NARROW = "--tabor 1848.2483440321334 --radius 11058.085022270281 --amplitude 2978.0572289703946 --wavelength 3835.946557649146"
 WIDER = "--tabor 34.33 --radius 205.397 --amplitude 55.3155 --wavelength 71.2502"
+SOFT = "--tabor 941 --radius 8e5 --wavelength 3841 --amplitude 27 --preload-load 1.8 --tolerance 1e-4"
+SOFTER = "--tabor 84.5177 --radius 71853.5 --amplitude 2.42506 --wavelength 344.987"
 GRASPS = "--preload-load 1.7766593602795224 --tolerance 1e-4"
 
 # The scene that fails, its message, and scenes that follow the advice of the message, or of the table in doc/guide.md.
@@ -44,6 +46,9 @@ ADVICE = (
     (f"{NOISY} 1e-10", "*times the tolerance*: expected a larger tolerance", f"{NOISY} 1e-8"),
     ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*", "--tabor 100"),
     (f"{NARROW} {GRASPS} --range exact", f"*edge is 3.5e-07 wavelengths wide, with * times smaller ({WIDER}), changing loads by 5e-04 where tried", f"{WIDER} {GRASPS}"),
+    (f"{NARROW} {GRASPS} --range exact", "*: expected the range auto; *", f"{NARROW} {GRASPS}", f"{NARROW} {GRASPS} --range reduced"),
+    (f"{SOFT} --range exact --time-limit 0.5", f"*after 0.5 s of processor time*: expected the range auto; *times smaller ({SOFTER}), *", f"{SOFT} --time-limit 20",
+     f"{SOFTER} --preload-load 1.8 --tolerance 1e-4"),
     ("--tabor 2 --time-limit 1e-9", "*of processor time*", "--tabor 2 --time-limit 600"),
     (f"{TABLE} 30.csv --preload 30", "*expected rows for larger radii, or a smaller preload; *", f"{TABLE} 200.csv --preload 30", f"{TABLE} 30.csv --preload 0"),
 )

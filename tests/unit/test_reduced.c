@@ -207,6 +207,24 @@ START_TEST(takes_few_points) {
 }
 END_TEST
 
+/* The contact edges of this scene are not so narrow that greater ranges are chosen, but its trace
+ * takes 1,800 points. */
+START_TEST(a_long_trace_gives_way_to_greater_ranges) {
+  po_request request = request_of(184.343, 17004.4, 18.4363, 660.668);
+  request.preload.load = 5.1584;
+  po_result exact, taken;
+  ck_assert_int_eq(po_solve(&request, &taken), PO_OK);
+  ck_assert(taken.range.is_reduced);
+  request.range = PO_RANGE_EXACT;
+  ck_assert_int_eq(po_solve(&request, &exact), PO_OK);
+  ck_assert_uint_gt(exact.work.points, 1000);
+  ck_assert_double_eq_tol(taken.pull_off.force, exact.pull_off.force,
+                          taken.pull_off.force_error + exact.pull_off.force_error);
+  po_result_clear(&exact);
+  po_result_clear(&taken);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, agrees_with_the_true_range_within_the_stated_errors, 0,
                       sizeof BOTH / sizeof *BOTH);
@@ -218,6 +236,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_jump_that_the_true_range_makes_is_made);
   tcase_add_test(tests, a_jump_close_to_the_preload_is_not_decided);
   tcase_add_test(tests, takes_few_points);
+  tcase_add_test(tests, a_long_trace_gives_way_to_greater_ranges);
   tcase_add_test(tests, an_error_above_the_tolerance_fails_with_the_error);
 }
 

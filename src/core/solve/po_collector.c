@@ -298,6 +298,14 @@ static void note_cut_off(po_collector *r, const po_branch_point *p, double conta
                 r->stopping.met ? "" : ", before the preload is met: expected a smaller preload");
 }
 
+static void note_too_long(po_collector *r, const po_branch_point *p) {
+  r->status =
+      po_fail(PO_TOO_MANY_POINTS,
+              "more than %zu points before the preload is met, the last at approach %.6g, "
+              "load %.6g",
+              r->most_points, p->approach, p->load * po_scene_load_unit(&r->request->scene));
+}
+
 /* Whether the trace ends at a point; stores the cause. */
 static bool ends_at(po_collector *r, const po_branch_point *p, double contact_radius) {
   const po_scene *scene = &r->request->scene;
@@ -307,6 +315,8 @@ static bool ends_at(po_collector *r, const po_branch_point *p, double contact_ra
                         "radius is %.6g at approach %.6g; expected rows for larger radii, or a "
                         "smaller preload",
                         po_profile_shape(&scene->profile).end, contact_radius, p->approach);
+  if (!r->status && r->most_points && !r->stopping.met && r->points.count > r->most_points)
+    note_too_long(r, p);
   if (!r->status && p->gap && po_solve_is_cut_off(scene, contact_radius, r->surface->core_radius))
     note_cut_off(r, p, contact_radius);
   else if (!r->status)

@@ -46,6 +46,7 @@ typedef struct {
   const po_surface *surface; /* for a rigid scene, its nodes only */
   po_result *result;
   po_kept_points *for_series; /* special points to continue from; NULL: none are kept */
+  size_t most_points;         /* of po_attempt */
   bool diagnoses;             /* diagnostics are wanted, which the next two need */
   po_balance balance;         /* energy balance */
   po_kept kept;               /* states and special points for them */

@@ -82,7 +82,8 @@ int po_range_side_of(const po_ranges *ranges, int first, int last, const double 
                      double bound) {
   const int from = last - first > SPAN ? last - SPAN : first;
   const double ratio = ranges->range[from] / ranges->range[last];
-  const double left = (value[last] - value[from]) / (po_pow(ratio, POWER) - 1.0);
+  const double to_true = 1.0 - po_pow(ranges->range[last], -POWER); /* of what it is to range 0 */
+  const double left = to_true * (value[last] - value[from]) / (po_pow(ratio, POWER) - 1.0);
   const double end = value[last] + MARGIN * left;
   if (fmax(value[last], end) < bound)
     return -1;

@@ -102,8 +102,9 @@ typedef struct {
 po_status po_range_limit_take(const po_ranges *ranges, const po_range_points *points, int last,
                               po_result *result);
 
-/* Whether the limit of a number that changes with the power 4/7 of the range is above or below a
- * bound for certain: 1, -1; 0: it is not known. Given: its values at the ranges first to last. */
+/* Whether a number that changes with the power 4/7 of the range is above or below a bound for
+ * certain at the true range: 1, -1; 0: it is not known. Given: its values at the ranges first to
+ * last. */
 int po_range_side_of(const po_ranges *ranges, int first, int last, const double value[],
                      double bound);
 

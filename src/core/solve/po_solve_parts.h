@@ -45,6 +45,8 @@ typedef struct {
   double core;      /* radius of the core of the surface, eps */
   double tolerance; /* of panels, relative */
   double begin; /* greatest approach at which the trace begins, eps; NAN: chosen by the solver */
+  size_t most_points; /* points before the preload is met beyond which the trace fails with
+                         PO_TOO_MANY_POINTS; 0: any number */
   size_t unmet_folds; /* returned: number of folds not found on a finer mesh */
 } po_attempt;
 

@@ -9,6 +9,7 @@
 #include "po_far_field.h"
 #include "po_initial_gap.h"
 #include "po_rate_solve.h"
+#include "po_reduced.h"
 #include "po_rigid.h"
 #include "po_rigid_trace.h"
 #include "po_solve_parts.h"
@@ -208,16 +209,29 @@ static po_status without_pull_off(po_status status, const po_collector *reader) 
  * 3e-4 to 6e-4 of it, in proportion to this number. */
 static const double ADVISED_WIDTH = 1e-3;
 
-/* If a trace fails because contact edges are much narrower than the waves, the message says so, and
- * how to solve the same bodies with a greater range of the attraction. Epsilon enters every length,
- * the Tabor parameter as its inverse, and the width of an edge over the wavelength, eps /
- * (coupling * wavelength), as its square. Returned: the status. */
+/* If greater ranges of the attraction would solve a scene but are excluded, the message says so.
+ * Returned: the status. */
+static po_status with_auto(po_status status, const po_collector *reader) {
+  const po_request *request = reader->request;
+  const bool is_of_them = reader->for_series && reader->for_series->which == PO_KEEP_TEST;
+  if (request->range != PO_RANGE_EXACT || is_of_them || !po_reduced_applies(request))
+    return status;
+  return po_fail(status, "%s; greater ranges of the attraction apply: expected the range auto",
+                 *po_message() ? po_message() : po_status_text(status));
+}
+
+/* If a trace fails, or takes too long, because contact edges are much narrower than the waves, the
+ * message says so, and how to solve the same bodies with a greater range of the attraction. Epsilon
+ * enters every length, the Tabor parameter as its inverse, and the width of an edge over the
+ * wavelength, eps / (coupling * wavelength), as its square. Returned: the status. */
 static po_status with_range(po_status status, const po_collector *reader) {
   const po_scene *scene = &reader->request->scene;
   const double shortest = po_initial_gap_detail(scene);
   const double width = 1.0 / (po_scene_coupling(scene) * shortest);
-  if ((status != PO_STEP_TOO_SMALL && status != PO_OUT_OF_NODES) || reader->points.count == 0 ||
-      !po_scene_is_wavy(scene) || !(width < ADVISED_WIDTH) ||
+  if (status != PO_STEP_TOO_SMALL && status != PO_OUT_OF_NODES && status != PO_OUT_OF_TIME)
+    return status;
+  status = with_auto(status, reader);
+  if (reader->points.count == 0 || !po_scene_is_wavy(scene) || !(width < ADVISED_WIDTH) ||
       reader->request->mesh.scheme != PO_PANEL)
     return status;
   const double larger = sqrt(ADVISED_WIDTH / width);
@@ -244,6 +258,7 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
   po_collector reader = {.request = request,
                          .result = result,
                          .for_series = kept,
+                         .most_points = a->most_points,
                          .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
                          .special = {.greatest = {.traced_approach_error = NAN,
                                                   .traced_load_error = NAN,
