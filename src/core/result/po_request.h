@@ -36,8 +36,9 @@ typedef enum {
 
 /* Whether a pull-off may be found with greater ranges of the attraction, see po_reduced.h. */
 typedef enum {
-  PO_RANGE_AUTO,    /* where contact edges are very narrow, or the solve with the true one fails */
-  PO_RANGE_EXACT,   /* never */
+  PO_RANGE_AUTO,  /* where contact edges are very narrow, or the solve with the true one fails or is
+                     long */
+  PO_RANGE_EXACT, /* never */
   PO_RANGE_REDUCED, /* always */
 } po_range_choice;
 
