@@ -7,7 +7,7 @@
                                                  their own, and the tables against the others (exit 1 on disagreement)
 
 Route 1 are Copson panels: the tables of this folder (smooth_sphere.py, wavy_sphere.py, general.py, wavy_staircase.py), and
-what sheet_points.py computes: the beginning of the S-shaped branch, the jumps through a spring. Route 2 is
+what sheet_points.py computes: the beginning of the S-shaped branch, the jumps through a spring, a very soft sphere, an isolated branch. Route 2 is
 the program pulloff at its finest tolerance; it shares no code and no method with route 1. The half-width of a value is the
 difference of the routes plus the greater of their own bounds.
 """
@@ -29,6 +29,7 @@ from sheet import COLUMNS, HEADER, SHEET, read_problems, row, stored
 from tables import read_table, write_table
 
 GROUP = "full law, elastic"
+SOFT, ISOLATED = "elastic-tabor-1e3", "elastic-isolated"
 TOLERANCE = "1e-10"
 FINEST = "pulloff at a tolerance of 1e-10: panels and elliptic kernel"
 FLOOR = 1e-10              # least bound of route 1
@@ -110,7 +111,8 @@ def staircase(problem):
 
 def first_route(problem, levels=None):
     """{quantity: (value, bound)} and the name of the route."""
-    own = {"elastic-s-begins": sheet_points.s_begins, "elastic-spring": sheet_points.spring}
+    own = {"elastic-s-begins": sheet_points.s_begins, "elastic-spring": sheet_points.spring, SOFT: sheet_points.soft,
+           ISOLATED: sheet_points.isolated}
     if problem["id"] in own:
         return own[problem["id"]](problem["parameters"], levels), "Copson panels (sheet_points.py)"
     return staircase(problem) if problem["id"] == "elastic-wavy-preload" else tabulated(problem)
@@ -132,12 +134,14 @@ def solve(program, options):
     return json.loads(text)
 
 
-def second_route(problem, program):
+def second_route(problem, program, tolerance=TOLERANCE):
     """{quantity: (value, bound)} of the program."""
     p = problem["parameters"]
     if problem["id"] == "elastic-s-begins":
-        return merging_folds(program)
-    result = solve(program, words(p) + ["--tolerance", TOLERANCE] + wanted(problem))
+        return merging_folds(program, tolerance)
+    if problem["id"] == ISOLATED:
+        return isolated_folds(p, program, tolerance)
+    result = solve(program, words(p) + ["--tolerance", tolerance] + wanted(problem))
     if problem["id"] == "elastic-wavy-preload":
         return steps(result, p)
     if problem["id"] == "elastic-spring":
@@ -185,12 +189,12 @@ def base_at_jumps(result, stiffness):
             for jump in result["hysteresis"]["spring"]["jumps"]}
 
 
-def merging_folds(program):
+def merging_folds(program, tolerance):
     """Where the two folds of the smooth sphere merge. The square of the difference of their loads, and the means of loads
     and approaches, are analytic in mu: polynomials through the folds at NODES."""
     rows = []
     for tabor in NODES:
-        folds = solve(program, ["--tabor", repr(float(tabor)), "--tolerance", TOLERANCE])["folds"]
+        folds = solve(program, ["--tabor", repr(float(tabor)), "--tolerance", tolerance])["folds"]
         rows.append([folds[0]["load"], folds[1]["load"], folds[0]["approach"], folds[1]["approach"]])
     first, second, *approaches = np.array(rows).T
 
@@ -203,6 +207,18 @@ def merging_folds(program):
     value = fitted(6)
     bounds = np.abs(value - fitted(5))
     return dict(zip(("tabor", "approach", "load"), zip(value, bounds)))
+
+
+def isolated_folds(p, program, tolerance):
+    """The two folds of the isolated branch, each continued in the amplitude from where the branch is connected."""
+    options = words({k: v for k, v in p.items() if k != "A"})
+    text = subprocess.run([program, "follow", "--json", "--of", "folds", "--key", "amplitude", "--scale", "linear", "--points", "2",
+                           "--from", repr(sheet_points.BEFORE), "--to", p["A"], "--preload", "0", "--tolerance", tolerance, *options],
+                          check=True, capture_output=True, text=True).stdout
+    folds = json.loads(text)["points"][-1]["folds"]
+    at = next(i for i, fold in enumerate(folds) if fold["kind"] == "jump_out" and abs((fold["contact_radius"] or 0.0) - 11.45) < 0.05)
+    return {f"{fold['kind']}_{name}": (fold[name], fold[error]) for fold in folds[at:at + 2]
+            for name, error in (("approach", "error_estimate"), ("load", "load_error_estimate"))}
 
 
 # ----------------------------------------------------------------------------------------------- the table
@@ -234,6 +250,8 @@ def sample():
     """Recomputes route 1: the tables are read, and the other values computed on the first level."""
     count = 0
     for problem in (p for p in read_problems() if p["group"] == GROUP):
+        if problem["id"] in (SOFT, ISOLATED):
+            continue             # minutes
         first, _ = first_route(problem, sheet_points.LEVELS[:1])
         for entry in stored():
             if entry["problem"] == problem["id"]:

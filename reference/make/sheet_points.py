@@ -1,5 +1,5 @@
 """Special points of the adhesion sheet that no table has, by Copson panels: where the branch of a smooth sphere begins to
-be S-shaped, and the jumps through a spring.
+be S-shaped, the jumps through a spring, the pull-off of very soft spheres, and an isolated branch.
 
 Each function takes the parameters of a problem (texts) and levels of refinement, and returns {quantity: (value, bound)}; the
 bound is three times the change by the last level, infinite with one level.
@@ -9,9 +9,12 @@ import numpy as np
 from numpy.polynomial import Chebyshev
 from scipy.optimize import newton
 
-from branch import APPROACH, CENTRE, LOAD, TRACE, Level, advance, correct, remesh, smooth_sphere
+import soft_sphere
+import wavy_sphere
+from branch import APPROACH, CENTRE, LOAD, TRACE, Level, NotConverged, advance, correct, remesh, smooth_sphere, start
 from converged import SAFETY
-from landmarks import between, trace
+from landmarks import between, find_landmarks, polish, trace, walk
+from stable_paths import turned
 from tables import STORED_FLOOR
 
 LEVELS = (Level(order=14, tail=18, tolerance=1e-10), Level(order=18, tail=22, tolerance=1e-12, cut=1.21, extra=4))
@@ -84,3 +87,69 @@ def spring(p, levels=None):
         return state.approach + state.load / stiffness
 
     return by_levels(("jump_in_base", "jump_out_base"), lambda level: [base(mark, level) for mark in marks], levels)
+
+
+# ------------------------------------------------------------------------------- very soft spheres
+
+def soft(p, levels=None):
+    """Pull-off, by continuation in the Tabor parameter."""
+    tabor, width = float(p["tabor"]), np.sqrt(float(p["R"]) * float(p["tabor"]))
+    state, values = soft_sphere.follow(tabor), []
+    for level in levels or soft_sphere.LEVELS:
+        (load, approach, radius), state = soft_sphere.lowest(tabor, state, level)
+        values.append((-load, approach, radius * width))
+    spread = SAFETY * np.abs(np.subtract(*values))
+    return dict(zip(("pull_off_force", "pull_off_approach", "pull_off_radius"), zip(values[-1], spread)))
+
+
+# ----------------------------------------------------------------------------- an isolated branch
+
+AT, BEFORE, STEPS = -2.4, 2.25, 13     # the approach that is held; amplitude of the connected branch; steps of the amplitude
+FOLD = 8                   # the stretch of stable equilibria begins at this fold of the connected branch
+WAVY_LEVELS = wavy_sphere.POLISH[:2]
+
+
+def wavy(p, amplitude):
+    return wavy_sphere.Scene(p["tabor"], repr(amplitude), p["wavelength"], p["R"], p["outer_radius"], 0.0, 0.0).problem()
+
+
+def isolated(p, levels=None):
+    """The folds that end a stretch of stable equilibria which the branch from far apart does not contain. At the amplitude
+    BEFORE it does; from there the amplitude is changed at a given approach."""
+    amplitudes = np.linspace(BEFORE, float(p["A"]), STEPS + 1)
+    problem, held = wavy(p, BEFORE), np.eye(3)[APPROACH]
+    state = on_stretch(problem)
+    state = correct(problem, state.surface, state.gap, AT, held, AT)
+    for amplitude in amplitudes[1:]:
+        following = wavy(p, float(amplitude))
+        gap = state.gap + following.profile.gap(state.surface.u) - problem.profile.gap(state.surface.u)
+        problem = following
+        state = remesh(problem, correct(problem, state.surface, gap, AT, held, AT), TRACE, held, AT)
+    marks = [first_fold(problem, turned(state, sense)) for sense in (1, -1)]
+
+    def folds(level):
+        states = [polish(problem, mark, level).state for mark in marks]
+        return [x for state in states for x in (state.approach, state.load)]
+
+    return by_levels("jump_in_approach jump_in_load jump_out_approach jump_out_load".split(), folds, levels or WAVY_LEVELS)
+
+
+def on_stretch(problem):
+    """The state nearest to the approach AT beyond the fold FOLD of the branch from far apart."""
+    before, folds = start(problem, wavy_sphere.FAR, TRACE), 0
+    for state in walk(problem, before, TRACE):
+        folds += state.rate[APPROACH] * before.rate[APPROACH] < 0.0
+        before = state
+        if folds == FOLD and state.approach > AT - 0.05:
+            return state
+    raise NotConverged("no stretch of stable equilibria")
+
+
+def first_fold(problem, state):
+    """The fold at which the equilibria in the direction of the tangent end."""
+    states = [state]
+    for following in walk(problem, state, TRACE):
+        states.append(following)
+        if following.rate[APPROACH] * state.rate[APPROACH] < 0.0:
+            break
+    return next(mark for mark in find_landmarks(problem, states) if mark.component == APPROACH)
