@@ -37,8 +37,8 @@ class Section:
 
 def build_all(source):
     """Every section, in order: those of the PDF first, then the long lists that only the HTML page has."""
-    from . import cases, checks, claims, cost, environment, extreme, figures, general, planted_faults, precision, provenance, rate, solvers, theories, verdicts
-    order = (figures, claims, theories, rate, general, precision, solvers, cost, extreme, verdicts, environment, planted_faults, checks, cases, provenance)
+    from . import cases, checks, claims, cost, environment, extreme, figures, general, planted_faults, precision, provenance, rate, scores, solvers, theories, verdicts
+    order = (figures, claims, theories, rate, general, precision, solvers, cost, extreme, verdicts, environment, planted_faults, scores, checks, cases, provenance)
     # Its figures need as long as all the rest.
     drawn = beside.start(lambda: precision.build(source))
     built = {module: module.build(source) for module in order if module is not precision}
