@@ -21,7 +21,7 @@ for path in sorted(glob.glob(os.path.join(root, "cases", "*.yaml"))):
     for name in re.findall(r'reference: *"?([^,}\s#"]+)', section.group(1) if section else ""):
         uses.setdefault(name, set()).add(re.search(r"^name: *(\S+)", text, re.MULTILINE).group(1))
 tables = {}
-for pattern in ("reference/*.csv", "reference/published/*.csv", "reference/sheet/values.csv"):
+for pattern in ("reference/*.csv", "reference/published/*.csv", "reference/sheet/*.csv"):
     for path in glob.glob(os.path.join(root, pattern)):
         lines = open(path, encoding="utf-8").read().splitlines()
         head = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# ") and ": " in line)
