@@ -71,12 +71,15 @@ class Curve:
         return float(max(self.into[1].max(), self.out[1].max()) - self.zero)
 
     def jumps(self):
-        """Indices of the last samples before the jumps into contact and out of it; None without a clear one."""
+        """Indices of the last samples before the jumps into contact and out of it; None without a clear one. The way in jumps
+        nearer to the sample than the way out, otherwise both follow one steep curve."""
         found = []
         for _, force in (self.into, self.out):
             steps = force[:-2] - force[2:]  # over two samples
             k = int(np.argmax(steps))
             found.append(k + (force[k] - force[k + 1] < force[k + 1] - force[k + 2]) if steps[k] > CLEAR_JUMP * self.noise else None)
+        if None not in found and self.into[0][found[0]] - self.out[0][found[1]] <= 2 * self.spacing:
+            return [None, None]
         return found
 
 
@@ -252,8 +255,9 @@ def refine(model, curve, data, start, free, contact_only=False, steps=None):
     def miss(u):
         tabor, values = values_of(model, full(u))
         return residuals(model, tabor, values, curve, data, contact_only)
-    low = np.where(free == 2, 1 + (np.log(TABORS[0] / 2) - start[2]) / unit[2], -np.inf)
-    high = np.where(free == 2, 1 + (np.log(TABORS[-1] * 2) - start[2]) / unit[2], np.inf)
+    least = np.array([start[0] - np.log(8), start[1] - np.log(100), np.log(TABORS[0] / 2), -np.inf, -np.inf])
+    most = np.array([start[0] + np.log(8), start[1] + np.log(100), np.log(TABORS[-1] * 2), np.inf, np.inf])
+    low, high = ((1 + (limit - start) / unit)[free] for limit in (least, most))
     found = least_squares(miss, np.ones(len(free)), bounds=(low, high), diff_step=0.02, x_scale="jac", max_nfev=steps, xtol=1e-6, ftol=1e-8)
     return full(found.x), found, unit[free]
 
@@ -288,6 +292,8 @@ def fit_curve(curve: Curve, radius: float, stiffness: float = np.inf) -> Fit:
         raise NoFit("no attraction above the noise on the way out")
     if len(data[1][0]) < 8:
         raise NoFit("fewer than 8 samples in contact")
+    if np.median(curve.out[1][:5]) < curve.zero - CLEAR_JUMP * curve.noise:
+        raise NoFit("the way out ends in contact: expected positions to beyond the jump out of it")
     tried = []
     for tabor in TABORS:
         cost, start = search(model, curve, data, tabor, False)
@@ -302,7 +308,10 @@ def fit_curve(curve: Curve, radius: float, stiffness: float = np.inf) -> Fit:
         x, found, unit = refine(model, curve, data, start, range(5), steps=40)
         if best is None or found.cost < best[1].cost:
             best = x, found, unit
-    return finished(model, curve, data, *best, range(5))
+    fit = finished(model, curve, data, *best, range(5))
+    if not np.all(np.isfinite(fit.values)) or not np.all(np.isfinite(fit.errors)):
+        raise NoFit("no values of finite size describe the data")
+    return fit
 
 
 def fit_theory(name: str, curve: Curve, radius: float, stiffness: float = np.inf) -> Fit:
@@ -372,7 +381,7 @@ def read_curve(path, columns: Sequence[str] | None = None, stiffness: float = np
         columns = [name for name in names if unit_of(name)[0]]
         columns = (["base_nm", "load_nN"] if {"base_nm", "load_nN"} <= set(names) else columns[:3])
     places = [int(word) - 1 if word.isdigit() else names.index(word) if word in names else None for word in columns]
-    if len(places) not in (2, 3) or None in places:
+    if len(places) not in (2, 3) or None in places or not all(0 <= place < len(names) for place in places):
         raise NoFit(f"{path}: expected two or three columns with units, of {', '.join(names)}")
     units = [unit_of(names[place]) for place in places]
     if any(factor is None for factor, _ in units) or units[0][1]:
@@ -392,7 +401,8 @@ def read_curve(path, columns: Sequence[str] | None = None, stiffness: float = np
         ends = [abs(data[0, 0] - data[:, 0]), abs(data[-1, 0] - data[:, 0])]
         turn = int(np.argmax(ends[0] + ends[1]))
         out = np.arange(len(data)) > turn
-    if out.sum() < 16 or (~out).sum() < 16:
+    spans = [np.ptp(data[way, 0]) if way.any() else 0 for way in (out, ~out)]
+    if out.sum() < 16 or (~out).sum() < 16 or min(spans) < 0.2 * max(spans):
         raise NoFit(f"{path}: expected a way in and a way out, with at least 16 rows each")
     return curve_of(data[~out, 0], data[~out, 1], data[out, 0], data[out, 1])
 
@@ -406,19 +416,20 @@ def report(curve, full, theories, radius):
     lines += [f"            {note}" for note in curve.notes]
     jumps = [("no clear jump" if np.isnan(at) else f"{at:.4g} nm") for at in split(curve)[2]]
     lines.append(f"jumps       into contact {jumps[0]}, out of contact {jumps[1]}")
-    lines.append("model   " + "".join(f"{name:>22}" for name in NAMES) + "  chi2/n  contact")
+    lines.append("model   " + "".join(f"{name:>26}" for name in NAMES) + "    chi2/n   contact")
     for fit in (full, *theories):
         theory = fit.model != "solver"
         known = [True, fit.model != "JKR" and fit.model != "DMT" and np.sqrt(fit.covariance[1, 1]) < UNKNOWN, True, True, not theory]
         cells = [f"{value:.5g} +- {error:.2g}" if show else "" for value, error, show in zip(fit.values, fit.errors, known)]
-        lines.append(f"{fit.model if theory else 'full law':8}" + "".join(f"{cell:>22}" for cell in cells)
-                     + ("" if theory else f"{fit.chi2:8.3f}").rjust(8) + f"{fit.chi2_contact:9.3f}")
+        lines.append(f"{fit.model if theory else 'full law':8}" + "".join(f"{cell:>26}" for cell in cells)
+                     + ("" if theory else f" {fit.chi2:.4g}").rjust(10) + f" {fit.chi2_contact:.4g}".rjust(10))
     lines.append(f"tabor       {full.tabor:.4g}")
     if np.sqrt(full.covariance[1, 1]) > UNKNOWN:
         lines.append("range       not known from these data; the other values hardly depend on it")
     best = min(theories, key=lambda fit: fit.chi2_contact)
     gain = (best.chi2_contact - full.chi2_contact) * best.count
     lines.append("preferred   " + ("the full law: no theory fits the part in contact as well" if gain > SIGNIFICANT else
+                                   f"{best.model}, which fits the part in contact better than the full law" if gain < -SIGNIFICANT else
                                    f"not told by the part in contact, which {best.model} fits as well; a good fit does not make its w right"))
     if full.chi2 > BAD_FIT:
         lines.append(f"warning     chi2/n is {full.chi2:.3g}: the full law does not describe these data, and the errors are not to be relied on")
@@ -474,10 +485,11 @@ def main(words=None):
     try:
         curve = read_curve(given.curve, given.columns and given.columns.split(","), stiffness)
         full = fit_curve(curve, radius, stiffness)
-    except (NoFit, OSError) as error:
+    except (NoFit, OSError, pulloff.Error) as error:
         print(f"pulloff: {error}", file=sys.stderr)
         return 4 if isinstance(error, OSError) else 3
-    theories = [fit_theory(name, curve, radius, stiffness) for name in ("JKR", "DMT", "Maugis")]
+    with np.errstate(all="ignore"):
+        theories = [fit_theory(name, curve, radius, stiffness) for name in ("JKR", "DMT", "Maugis")]
     print(json.dumps(document(curve, full, theories), indent=1) if given.json else "\n".join(report(curve, full, theories, radius)))
     if given.plot:
         draw(given.plot, curve, (full, *theories), radius, stiffness)

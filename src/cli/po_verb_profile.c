@@ -170,9 +170,13 @@ static void print_tilt(const profile_line *line, const po_scan *s, FILE *to) {
     fprintf(to, "tilt     %.4g of height by position removed\n", slope);
 }
 
-/* Sides that differ by more than this many times the noise are those of a body that is not quite
- * one of revolution. */
-static const double DIFFERENT = 3.0;
+/* Sides that agree this many times better than the noise: what was taken for noise is of the body.
+ */
+static const double BETTER = 3.0;
+
+static bool hides_shape(const po_scan *s) {
+  return BETTER * s->asymmetry < s->noise * M_SQRT1_2;
+}
 
 static void print_sides(const profile_line *line, const po_scan *s, FILE *to) {
   const spaced_unit x = unit_of(s, 0), z = unit_of(s, 1);
@@ -180,8 +184,18 @@ static void print_sides(const profile_line *line, const po_scan *s, FILE *to) {
   fprintf(to, "noise    standard deviation of a height %.3g%s, of a gap of the table %.3g%s\n",
           s->noise, z.text, po_scan_gap_noise(s, line->sides), z.text);
   fprintf(to, "sides    rms of half their difference %.3g%s, %.3g%s by noise%s\n", s->asymmetry,
-          z.text, by_noise, z.text,
-          s->asymmetry > DIFFERENT * by_noise ? ": more than noise explains" : "");
+          z.text, by_noise, z.text, s->systematic > by_noise ? ": more than noise explains" : "");
+  if (hides_shape(s))
+    fprintf(
+        to,
+        "warning  the sides agree better than the noise: part of it is short waves of the body, "
+        "which the rows hardly resolve; they are not smoothed\n");
+  if (s->outliers)
+    fprintf(
+        to,
+        "warning  %zu rows are far from the smooth curve, the first at x = %.6g%s: outliers, or a "
+        "sharp edge of the body\n",
+        s->outliers, s->outlier, x.text);
   fprintf(to, "parabola by least squares: radius %.5g%s, rms of the rest %.3g%s\n",
           s->radius * s->column[0].size / s->column[1].size, x.text, s->off_parabola, z.text);
   fprintf(to, "table    %zu rows to radius %.6g%s%s%s\n", s->count, s->r[s->count - 1], x.text,
@@ -202,7 +216,9 @@ static void print_next(const profile_line *line, const po_scan *s, FILE *to) {
                                    "D "
                                  : "--coupling K ");
   po_text_add_word(&text, line->output);
-  fprintf(to, "%s --smooth %.3g\n", po_text_string(&text), smooth_of(line, s));
+  if (!hides_shape(s))
+    po_text_add(&text, " --smooth %.3g", smooth_of(line, s));
+  fprintf(to, "%s\n", po_text_string(&text));
   po_text_clear(&text);
 }
 
@@ -283,7 +299,8 @@ static po_status solve_side(const profile_line *line, const po_scan *scan, po_sc
   po_request request;
   po_result result = {0};
   add_name(line->output, sides, &name);
-  snprintf(smooth, sizeof smooth, "%.3g", po_scan_gap_noise(scan, sides) * scan->column[1].size);
+  snprintf(smooth, sizeof smooth, "%.3g",
+           hides_shape(scan) ? 0.0 : po_scan_gap_noise(scan, sides) * scan->column[1].size);
   po_status status = name.failed ? PO_NO_MEMORY : PO_OK;
   if (!status && sides != PO_SIDES_BOTH)
     status = write_table(line, scan, sides, po_text_string(&name));
@@ -293,8 +310,7 @@ static po_status solve_side(const profile_line *line, const po_scan *scan, po_sc
     status = po_solve(&request, &result);
     if (status)
       status = po_fail(status, "the solve failed: %s", result.reason);
-    *of = (side_force){request.units, result.pull_off.force,
-                       isnan(result.uncertainty) ? 0.0 : result.uncertainty};
+    *of = (side_force){request.units, result.pull_off.force, result.uncertainty};
   }
   po_result_clear(&result);
   po_text_clear(&name);
@@ -318,8 +334,11 @@ static po_status print_force(const profile_line *line, const po_scan *scan, FILE
   for (int k = 0; k < 3; ++k)
     value[k] = po_si_value(&unit, value[k]);
   const char *text = si ? unit.text : "pi w epsilon";
-  fprintf(to, "force    %.6g %s, standard uncertainty by the noise %.2g %s\n", value[0], text,
-          po_si_value(&unit, of[0].deviation), text);
+  fprintf(to, "force    %.6g %s, standard uncertainty by the noise ", value[0], text);
+  if (isnan(of[0].deviation))
+    fprintf(to, "not known\n");
+  else
+    fprintf(to, "%.2g %s\n", po_si_value(&unit, of[0].deviation), text);
   fprintf(
       to,
       "         of the left side alone %.6g, of the right side alone %.6g: uncertain by %.2g %s "
@@ -332,6 +351,12 @@ static po_status make(const profile_line *line) {
   po_scan scan;
   po_status status = po_scan_read(&line->scan, &scan);
   FILE *const to = line->output ? stdout : stderr;
+  if (!status && line->scene.given.si && !*scan.column[0].unit)
+    status = po_fail(PO_BAD_INPUT, "the columns %s and %s have no units: expected --units",
+                     scan.column[0].name, scan.column[1].name);
+  if (!status && line->output && po_path_is_same(line->output, line->scan.path))
+    status =
+        po_fail(PO_BAD_INPUT, "--output is %s: expected another file than the scan", line->output);
   if (!status) {
     print_scan(&scan, to);
     print_tilt(line, &scan, to);

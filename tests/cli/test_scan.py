@@ -106,6 +106,36 @@ def test_rows_that_are_not_heights_or_equidistant(tmp_path):
     assert numbers(out, "apex", "= ")[0] == pytest.approx(body["axis"], abs=0.05)
 
 
+@pytest.mark.parametrize("flat, axis, tilt", [(6, 0, 0), (12, 0.6, 0), (6, 0.3, 0.05), (12, -0.4, 0.02), (0, 0.5, 0)])
+def test_truncated_tips(tmp_path, flat, axis, tilt):
+    """The highest point of a flat is noise, and of a tilted one its edge: neither is the axis."""
+    of = random.Random(flat)
+    x = [round(-20 + 0.25 * k, 4) for k in range(161)]
+    z = [1e3 * (tilt * at - max((at - axis) ** 2 - flat**2, 0) / 50) + of.gauss(0, 1) for at in x]
+    out = expect(0, "", f"profile {write(tmp_path / 's.csv', x, z)} --output {tmp_path / 't.csv'}").out
+    assert numbers(out, "apex", "= ")[0] == pytest.approx(axis, abs=0.13)
+    assert "more than noise" not in out
+
+
+def test_warnings(tmp_path):
+    """Waves that the rows do not resolve are not smoothed away without a word; outliers are said; an unknown uncertainty is not 0."""
+    x = [round(-20 + 0.25 * k, 4) for k in range(161)]
+    of = random.Random(1)
+    waves = [-1e3 * (at**2 / 50 + 0.005 * (1 - math.cos(2 * math.pi * at))) + of.gauss(0, 0.1) for at in x]
+    out = expect(0, "", f"profile {write(tmp_path / 's.csv', x, waves)} --output {tmp_path / 't.csv'}").out
+    assert "warning  the sides agree better than the noise" in out and "--smooth" not in out
+    spike = [-1e3 * at**2 / 50 + of.gauss(0, 1) + 3000 * (at == -10) for at in x]
+    out = expect(0, "", f"profile {write(tmp_path / 's.csv', x, spike)} --output {tmp_path / 't.csv'}").out
+    assert "warning  1 rows are far from the smooth curve, the first at x = -10 um" in out
+
+
+def test_units_in_a_line_of_their_own(tmp_path):
+    x, z, _ = scan(2)
+    path = write(tmp_path / "s.csv", x, z, "µm;nm", ";", before="x;z\n")
+    out = expect(0, "", f"profile {path} --output {tmp_path / 't.csv'}").out
+    assert "um" in out and table(tmp_path / "t.csv")[0] == ["r_um", "gap_nm"]
+
+
 def test_force_of_mean_and_sides(tmp_path):
     """That of the body, and of bodies with the curvatures of the sides."""
     x, z, _ = scan(7, wavy=False, tilt=0.0, noise=0.05, rows=500)
@@ -128,11 +158,15 @@ def test_force_of_mean_and_sides(tmp_path):
     ("*columns is x: expected two names or numbers, X,Z", "profile s.csv --columns x"),
     ("*units is um,kg: expected two of m, mm, um, nm or pm with a comma between", "profile s.csv --units um,kg"),
     ("pulloff: end is 99: expected a radius up to *", "profile s.csv --end 99"),
-    ("*the lowest point is at x = *, the end of the scan: *", "profile s.csv --apex lowest"),
+    ("*the lowest part is at x = *, the end of the scan: *", "profile s.csv --apex lowest"),
     ("*apex is top: expected highest or lowest*", "profile s.csv --apex top"),
     ("*side is middle: expected both, left or right*", "profile s.csv --side middle"),
     ("pulloff: a force needs --output, the file of the table", "profile s.csv --coupling 1"),
     ("pulloff: --side is left: a force is computed of both", "profile s.csv --side left --output t.csv --coupling 1"),
+    ("pulloff: --output is s.csv: expected another file than the scan", "profile s.csv --output s.csv"),
+    ("pulloff: the columns x and z have no units: expected --units", "profile none.csv --output t.csv --from-physical --modulus-pa 1e9 "
+     "--work-j-per-m2 0.1 --distance-m 1e-9"),
+    ("*the gap falls with the radius: *", "profile hollow.csv --apex highest"),
     ("*one has a unit at the end of its name: expected *", "profile half.csv"),
     ("*12 rows with a height are too few: expected at least 32", "profile few.csv"),
 ])
@@ -141,6 +175,8 @@ def test_messages(tmp_path, monkeypatch, message, words):
     x, z, _ = scan(1)
     write(tmp_path / "s.csv", x, z)
     write(tmp_path / "half.csv", x, z, "x_um,height")
+    write(tmp_path / "hollow.csv", x, [50 * math.exp(-at**2) + at**2 for at in x])
+    write(tmp_path / "none.csv", x, z, "x,z")
     write(tmp_path / "few.csv", x[:12], z[:12])
     done = run(words)
     assert done.code in (2, 4) and done.out == ""

@@ -67,6 +67,15 @@ def test_soft_sample():
     assert "the model is a paraboloid" in lines and "which JKR fits as well" in lines
 
 
+def test_curve_without_hysteresis():
+    """Force against approach at mu = 0.6 is steep, and has no jump."""
+    case = 50.0, np.inf, [0.02, 1.0, 0.3, 2.0, 0.1]
+    z, into, out = measured(case, 0.002, 0.1, -20, 3)
+    curve = fit.curve_of(z, into, z, out)
+    assert curve.jumps() == [None, None]
+    check(fit.fit_curve(curve, *case[:2]), case)
+
+
 def test_forms_of_tables(tmp_path):
     """Directions, signs, columns and separators give the values of the plain table."""
     z, into, out = measured(STIFF, 0.04, 0.1, -20, 9)
@@ -103,12 +112,17 @@ def test_loop_of_the_program(tmp_path):
     (3, "pulloff: a deflection needs the stiffness of the lever", "fit lever.csv --radius-m 1e-8"),
     (3, "pulloff: no attraction above the noise on the way out", "fit flat.csv --radius-m 1e-8"),
     (3, "expected two or three columns with units, of a, b", "fit names.csv --radius-m 1e-8"),
+    (3, "expected a way in and a way out", "fit one_way.csv --radius-m 1e-8"),
+    (3, "the way out ends in contact", "fit ends.csv --radius-m 1e-8"),
+    (3, "expected two or three columns with units", "fit flat.csv --columns 1,9 --radius-m 1e-8"),
     (3, "expected a line of names and at least 20 rows", "fit short.csv --radius-m 1e-8"),
 ])
 def test_messages(tmp_path, code, message, words):
     z = np.linspace(0, 30, 60)
     noise = np.random.default_rng(4).standard_normal(60) * 0.01
     write(tmp_path / "flat.csv", z, 0.2 * np.maximum(z - 20, 0) + noise, 0.2 * np.maximum(z - 20, 0) - noise)
+    (tmp_path / "one_way.csv").write_text("z_nm,force_nN\n" + "".join(f"{a:.4f},{b:.6f}\n" for a, b in zip(z, 0.2 * np.maximum(z - 20, 0) + noise)))
+    write(tmp_path / "ends.csv", z, noise - 2.0 * (z > 20) + 0.5 * np.maximum(z - 20, 0), noise - 2.0 + 0.5 * np.maximum(z - 20, 0))
     write(tmp_path / "lever.csv", z, noise, noise, "z_nm,deflection_nm")
     write(tmp_path / "names.csv", z, noise, noise, "a,b")
     (tmp_path / "short.csv").write_text("z_nm,force_nN\n1,2\n2,3\n")

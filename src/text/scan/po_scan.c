@@ -45,10 +45,29 @@ typedef struct {
   double step, value[PLACES];
 } samples;
 
+/* A row that is so many typical deviations from the spline is none of the others'. */
+static const double OUTLIER = 8.0, NORMAL = 1.4826; /* the latter: deviation over median modulus */
+
+static void find_outliers(po_scan *s, const double *removed) {
+  double *const size = po_allocate(s->rows, sizeof *size);
+  if (!size)
+    return;
+  for (size_t k = 0; k < s->rows; ++k)
+    size[k] = fabs(removed[k]);
+  qsort(size, s->rows, sizeof *size, po_order_ascending);
+  const double most = OUTLIER * NORMAL * size[s->rows / 2];
+  for (size_t k = 0; k < s->rows; ++k)
+    if (fabs(removed[k]) > most && s->outliers++ == 0)
+      s->outlier = s->x[k];
+  free(size);
+}
+
 static po_status make_samples(po_scan *s, samples *q) {
   po_smoothing f;
   po_status status = po_smoothing_make(s->rows, s->x, s->z, NAN, &f);
   s->noise = f.deviation;
+  if (!status)
+    find_outliers(s, f.removed);
   q->step = (s->x[s->rows - 1] - s->x[0]) / (PLACES - 1);
   for (size_t k = 0; k < PLACES && !status; ++k) {
     const double x = s->x[0] + (double)k * q->step;
@@ -141,18 +160,34 @@ typedef struct {
   size_t first, last, reach;
 } span;
 
+/* The part of the height of the lower side, from the top, that counts as the top. */
+static const double TOP = 0.3;
+
+/* The middle of the places near the top: of a flat its middle, not the highest noise. */
+static size_t middle_of_top(const samples *q) {
+  double most = -INFINITY, sum = 0.0;
+  size_t count = 0;
+  for (size_t k = 0; k < PLACES; ++k)
+    most = fmax(most, q->value[k]);
+  const double level = most - TOP * (most - fmax(q->value[0], q->value[PLACES - 1]));
+  for (size_t k = 0; k < PLACES; ++k)
+    if (q->value[k] >= level) {
+      sum += (double)k;
+      ++count;
+    }
+  return (size_t)(sum / (double)count + 0.5);
+}
+
 static po_status find_span(const po_scan_request *request, const po_scan *s, const samples *q,
                            span *of) {
-  size_t top = 0;
-  for (size_t k = 0; k < PLACES; ++k)
-    top = q->value[k] > q->value[top] ? k : top;
+  const size_t top = middle_of_top(q);
   const size_t side = top < PLACES - 1 - top ? top : PLACES - 1 - top;
   const size_t window = (size_t)fmin(REACH * (double)(PLACES - 1), PART_OF_SIDE * (double)side);
   *of = (span){top - window, top + window, side - window};
   return of->reach > 2 && window > 1
              ? PO_OK
              : po_fail(PO_CANNOT_READ,
-                       "%s: the %s point is at x = %g, the end of the scan: expected a scan across "
+                       "%s: the %s part is at x = %g, the end of the scan: expected a scan across "
                        "the apex, or the other kind of apex",
                        request->path, s->is_lowest ? "lowest" : "highest",
                        s->x[0] + (double)top * q->step);
@@ -254,11 +289,19 @@ static po_status find_axis(const po_scan_request *request, po_scan *s) {
     const double places = (double)of.reach;
     symmetry chosen = choose_axis(s, found, places * q->step / s->spacing, places);
     if (request->keeps_tilt)
-      chosen = (symmetry){found->level.axis, 0.0, 0.0};
+      chosen = found->level;
     else if (!s->is_tilt_determined)
       chosen.axis = level_apex(q, &of, chosen.axis);
     s->axis = axis_among_rows(s, s->x[0] + chosen.axis);
-    s->tilt = s->is_tilt_determined ? chosen.tilt : 0.0;
+    s->tilt = s->is_tilt_determined && !request->keeps_tilt ? chosen.tilt : 0.0;
+    s->systematic = sqrt(chosen.squares / places);
+    const double margin = 2.0 * q->step;
+    if (chosen.axis < (double)of.first * q->step + margin ||
+        chosen.axis > (double)of.last * q->step - margin)
+      status = po_fail(PO_CANNOT_READ,
+                       "%s: no axis was found about which the two sides agree: the best one, x = "
+                       "%g, is where the search ends",
+                       request->path, s->axis);
   }
   free(found);
   free(q);
@@ -380,7 +423,12 @@ static po_status make_sides(const po_scan_request *request, po_scan *s, const he
   if (!request->keeps_tilt)
     level_sides(s);
   describe(s);
-  return PO_OK;
+  return s->radius > 0.0
+             ? PO_OK
+             : po_fail(PO_CANNOT_READ,
+                       "%s: the gap falls with the radius: expected the other kind of apex, or the "
+                       "columns of position and height in this order",
+                       request->path);
 }
 
 po_status po_scan_read(const po_scan_request *request, po_scan *s) {

@@ -40,12 +40,15 @@ typedef struct {
   double spacing;          /* mean distance of the rows */
   bool is_lowest;          /* whether the apex is the lowest point */
   double noise;            /* standard deviation of a height, estimated by a smoothing spline */
+  size_t outliers;         /* rows that are far from the others */
+  double outlier;          /* x of the first one */
   double axis;             /* x of the axis: of equidistant rows on a row or midway between two */
   bool is_tilt_determined; /* whether the sides of the scan tell its tilt: that of a parabola is a
                               displacement of its apex */
   double tilt; /* of the scan, removed; 0: none. The mean of both sides does not depend on it */
   double asymmetry;    /* rms of half the difference of the two sides at the same radius, less the
                        part that a displacement of the axis causes */
+  double systematic;   /* the same of the smoothing spline: the part that is not noise */
   double radius;       /* of the parabola through the table by least squares, x^2/z in the units */
   double off_parabola; /* rms of the gap less that parabola */
   size_t count;        /* rows of the table */

@@ -33,7 +33,7 @@ static bool take_unit(const char *text, size_t length, po_scan_column *column) {
   return false;
 }
 
-/* Takes the unit at the end of a name: x_um, x (um), x [um], x/um, x um. */
+/* Takes the unit at the end of a name: x_um, x (um), x [um], x/um, x um; or a name that is one. */
 static void take_unit_of_name(const char *name, po_scan_column *column) {
   size_t end = strlen(name);
   while (end && strchr(" )]}", name[end - 1]))
@@ -41,8 +41,7 @@ static void take_unit_of_name(const char *name, po_scan_column *column) {
   size_t begin = end;
   while (begin && !strchr(" _([{/", name[begin - 1]))
     --begin;
-  if (begin)
-    take_unit(name + begin, end - begin, column);
+  take_unit(name + begin, end - begin, column);
 }
 
 /* Splits "A,B" into two words. Returned: false if there are not two. */
