@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The certified values of the adhesion sheet: those of contact laws, rigid bodies, JKR with grooves, and viscoelastic bodies.
 
+    sheet.py --seal              write the header of sheet/values.csv anew, with the checksum of problems.json; no value changes
     sheet.py --write             compute the values of these groups, and replace them in sheet/values.csv
     sheet.py --sample            recompute some problems by both routes and compare (exit 1 on disagreement)
     sheet.py --sample --all      every problem
@@ -15,6 +16,7 @@ the difference from the program, whichever is greater.
 """
 
 import argparse
+import hashlib
 import json
 import subprocess
 import sys
@@ -45,6 +47,13 @@ HEADER = {
     "generator": "reference/make/sheet.py, sheet_elastic.py and the generators of the tables that they name",
     "command": "python3 reference/make/sheet.py --write --balls build/tests/sheet/sheet_balls --pulloff build/src/cli/pulloff",
     "date": "2026-11-27"}
+
+
+def header():
+    """The header with the checksum of the problems as they are."""
+    return HEADER | {"problems": hashlib.sha256((SHEET / "problems.json").read_text().encode()).hexdigest()}
+
+
 BALLS, QUADRATURE = "ball arithmetic (Arb)", "mpmath: quadrature and energies"
 GROOVES = {"pull_off_force": ("force", "force_uncertainty"), "pull_off_approach": ("approach", "approach_uncertainty"),
            "pull_off_radius": ("contact_radius", "edge_uncertainty")}
@@ -166,7 +175,16 @@ def write(given):
         made = rows_of(problem, given)
         rows += made or [[entry[column] for column in COLUMNS] for entry in kept if entry["problem"] == problem["id"]]
         print(f"{problem['id']}: {'computed' if made else 'kept'}", flush=True)
-    write_table(SHEET / "values.csv", HEADER, COLUMNS, rows)
+    write_table(SHEET / "values.csv", header(), COLUMNS, rows)
+
+
+def seal(_):
+    """The values as they are, with the checksum of the problems; both have to have the same quantities in the same order."""
+    rows = [[entry[column] for column in COLUMNS] for entry in stored()]
+    asked = [[problem["id"], quantity["name"]] for problem in read_problems() for quantity in problem["quantities"]]
+    if [entry[:2] for entry in rows] != asked:
+        raise ValueError("values.csv and problems.json have other quantities")
+    write_table(SHEET / "values.csv", header(), COLUMNS, rows)
 
 
 def sample(given):
@@ -185,6 +203,7 @@ def sample(given):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     action = parser.add_mutually_exclusive_group(required=True)
+    action.add_argument("--seal", action="store_true")
     action.add_argument("--write", action="store_true")
     action.add_argument("--sample", action="store_true")
     parser.add_argument("--all", action="store_true")
@@ -192,7 +211,7 @@ def main():
     parser.add_argument("--pulloff", metavar="PROGRAM", type=Path)
     given = parser.parse_args()
     mp.dps = 40
-    return run(write if given.write else sample, given)
+    return run(seal if given.seal else write if given.write else sample, given)
 
 
 if __name__ == "__main__":

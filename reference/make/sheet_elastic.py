@@ -14,7 +14,6 @@ difference of the routes plus the greater of their own bounds.
 
 import argparse
 import json
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -25,15 +24,35 @@ from numpy.polynomial import Polynomial
 
 import sheet_points
 from command_line import STORED, run
-from sheet import COLUMNS, HEADER, SHEET, read_problems, row, stored
+from sheet import COLUMNS, SHEET, header, read_problems, row, stored
 from tables import read_table, write_table
 
 GROUP = "full law, elastic"
 SOFT, ISOLATED = "elastic-tabor-1e3", "elastic-isolated"
 TOLERANCE = "1e-10"
 FINEST = "pulloff at a tolerance of 1e-10: panels and elliptic kernel"
+LENNARD_JONES = "mie:3,9"
 FLOOR = 1e-10              # least bound of route 1
 NODES = np.array("0.6975 0.698 0.699 0.7 0.703 0.706 0.708 0.712 0.718 0.725 0.73".split(), float)
+
+
+def law(p):
+    """The law of a problem as a word of the program."""
+    if "m" in p:
+        return f"mie:{p['m']},{p['n']}"
+    return f"morse:{p['a']}" if "a" in p else LENNARD_JONES
+
+
+def profile(p):
+    """Its initial gap without waves."""
+    if "t" in p:
+        return f"cone:{p['t']}"
+    return f"truncated:{p['b']},{p['R_t']}" if "b" in p else "sphere"
+
+
+def waves(p):
+    """Its waves (amplitude, length), where it has more than one."""
+    return [(p[f"A_{i}"], p[f"L_{i}"]) for i in (1, 2) if f"A_{i}" in p]
 
 
 # ------------------------------------------------------------------------------------------------ route 1
@@ -42,9 +61,9 @@ def special_points(problem):
     """The table of a problem: (name, its special points in order, the factor of the contact radius)."""
     p = problem["parameters"]
     if "coupling" in p:
-        wanted = {"law": p.get("law", "mie:3,9").replace(",", ";"), "profile": p.get("profile", "sphere").replace(",", ";"),
-                  "waves": p.get("waves", "-"), "coupling": p["coupling"], "radius": p.get("R", "-"),
-                  "outer_radius": p.get("outer_radius", "inf")}
+        wanted = {"law": law(p).replace(",", ";"), "profile": profile(p).replace(",", ";"),
+                  "waves": ";".join("@".join(wave) for wave in waves(p)) or "-", "coupling": p["coupling"],
+                  "radius": p.get("R", "-"), "outer_radius": p.get("outer_radius", "inf")}
         return "general_special_points.csv", matching("general_special_points.csv", wanted), "contact_radius", 1.0
     if p.get("outer_radius", "inf") == "inf":
         return ("feng_landmarks.csv", matching("feng_landmarks.csv", {"tabor": p["tabor"]}),
@@ -123,10 +142,11 @@ def first_route(problem, levels=None):
 def words(p):
     """The options of `pulloff solve` for the parameters of a problem."""
     names = {"tabor": "--tabor", "R": "--radius", "A": "--amplitude", "wavelength": "--wavelength", "coupling": "--coupling",
-             "outer_radius": "--outer-radius", "law": "--law", "profile": "--profile", "stiffness": "--stiffness",
-             "preload_load": "--preload-load", "preload": "--preload"}
+             "outer_radius": "--outer-radius", "stiffness": "--stiffness", "preload_load": "--preload-load", "preload": "--preload"}
     out = [word for key, name in names.items() if key in p for word in (name, str(p[key]))]
-    return out + [word for wave in re.split(";", p.get("waves", "")) if wave for word in ("--wave", wave.replace("@", ","))]
+    for option, word, standard in (("--law", law(p), LENNARD_JONES), ("--profile", profile(p), "sphere")):
+        out += [option, word] if word != standard else []
+    return out + [word for wave in waves(p) for word in ("--wave", ",".join(wave))]
 
 
 def solve(program, options):
@@ -243,7 +263,7 @@ def write(program, names):
             print(problem["id"], *(f"{r[1]}: {r[3]} digits" for r in rows if r[0] == problem["id"]), sep=", ", flush=True)
         else:
             rows += [[entry[column] for column in COLUMNS] for entry in kept if entry["problem"] == problem["id"]]
-    write_table(SHEET / "values.csv", HEADER, COLUMNS, rows)
+    write_table(SHEET / "values.csv", header(), COLUMNS, rows)
 
 
 def sample():

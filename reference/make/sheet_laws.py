@@ -87,13 +87,14 @@ def jkr_states(words, coupling, high):
     return result, state
 
 
-def contact_modulus(p, bodies):
-    return 1 / sum((1 - mpf(p[f"nu{i}"]) ** 2) / mpf(p[f"E{i}"]) for i in range(1, bodies + 1))
+def contact_modulus(p, *bodies):
+    """E* of bodies whose parameters end with these texts."""
+    return 1 / sum((1 - mpf(p[f"nu{i}"]) ** 2) / mpf(p[f"E{i}"]) for i in bodies)
 
 
 def law_jkr(p):
     """Two spheres: lengths in um and the load in w times 1 um."""
-    modulus, unit = contact_modulus(p, 2), mpf(10) ** -6
+    modulus, unit = contact_modulus(p, 1, 2), mpf(10) ** -6
     work = mpf(p["gamma1"]) + mpf(p["gamma2"]) - mpf(p["gamma12"])
     radius = 1 / (1 / mpf(p["R1"]) + 1 / mpf(p["R2"]))
     sphere = f"power:{nstr(unit / (2 * radius), 40)};2"
@@ -126,7 +127,7 @@ def law_hyperboloid(p):
 
 def law_dmt(p):
     """The load as a function of the approach, its root and its integral."""
-    modulus, radius, work, unit = contact_modulus(p, 2), mpf(p["R"]), mpf(p["w"]), mpf(10) ** -10
+    modulus, radius, work, unit = contact_modulus(p, 1, 2), mpf(p["R"]), mpf(p["w"]), mpf(10) ** -10
 
     def load(d):
         return mpf(4) / 3 * modulus * sqrt(radius) * (d * unit) ** mpf("1.5") - 2 * pi * work * radius
@@ -140,7 +141,7 @@ def law_dmt(p):
 def law_flat_punch(p):
     """The energy release rate at a force is its square by the derivative of the compliance 1/(2 E* a) by the area,
     over -2."""
-    modulus, radius, work = contact_modulus(p, 1), mpf(p["a"]), mpf(p["w"])
+    modulus, radius, work = contact_modulus(p, ""), mpf(p["a"]), mpf(p["w"])
 
     def compliance(a):
         return 1 / (2 * modulus * a * radius)      # at a times the radius

@@ -19,7 +19,7 @@ specification = importlib.util.spec_from_file_location("score", SHEET / "score.p
 score = importlib.util.module_from_spec(specification)
 specification.loader.exec_module(score)
 PROBLEMS = score.read_problems()["problems"]
-VALUES = score.read_values()[0]
+VALUES, CHECKSUM = score.read_values()
 
 
 @pytest.fixture(name="alone")
@@ -64,7 +64,8 @@ def test_problems_are_as_the_schema_says():
     sheet = score.read_problems()
     assert valid(sheet)
     for change in (lambda p: p.pop("catches"), lambda p: p.update(more=1), lambda p: p.update(level="simple"),
-                   lambda p: p["quantities"][0].pop("sign"), lambda p: p["parameters"].update(R=None), lambda p: p.update(title=" x")):
+                   lambda p: p["quantities"][0].pop("sign"), lambda p: p["parameters"].update(R="sphere"),
+                   lambda p: p.update(title=" x")):
         altered = score.read_problems()
         change(altered["problems"][0])
         assert not valid(altered)
@@ -182,7 +183,7 @@ def test_text_names_the_least_certain_quantity(alone):
     text = run("answers.csv").stdout
     assert "law-power" in text and "grips_approach 4.0" in text
     assert "1 of 10 quantities not answered" in text
-    assert text.startswith("adhesion-sheet-1  " + score.read_values()[1][:16])
+    assert text.startswith("adhesion-sheet-1  " + CHECKSUM)
 
 
 @pytest.mark.parametrize("rows, message", [
@@ -224,6 +225,79 @@ def test_an_altered_value_is_an_error(alone):
     assert done.returncode == 1 and "checksum" in done.stderr
 
 
+def test_an_altered_problem_is_an_error(alone):
+    folder, run = alone
+    problems = folder / "problems.json"
+    problems.write_text(problems.read_text().replace('"tabor": 3', '"tabor": 4', 1))
+    assert run("--list").returncode == 1 and "problems.json: its checksum" in run("--list").stderr
+
+
+FIRST = VALUES["law-jkr", "pull_off_force"]["value"]
+
+
+@pytest.mark.parametrize("text", [f"problem,quantity,value\nlaw-jkr,pull_off_force,{FIRST}\n,,\n   \n\n",
+                                  f" Problem; QUANTITY ;Value\nlaw-jkr;pull_off_force;{FIRST}\n;;\n",
+                                  f"problem\tvalue\tquantity\tunit\nlaw-jkr\t{FIRST}\tpull_off_force\tN\n",
+                                  f"problem,quantity,unit,value\nlaw-jkr,pull_off_force,,{FIRST}\n"])
+def test_separators_headers_and_blank_lines(alone, text):
+    folder, run = alone
+    (folder / "answers.csv").write_text(text)
+    done = run("answers.csv", "--json")
+    assert done.returncode == 0, done.stderr
+    result = json.loads(done.stdout)
+    assert result["problems"][0]["quantities"]["pull_off_force"] == 10 and result["unread"] == []
+
+
+@pytest.mark.parametrize("number", ["2.5D-05", "-6,2e-7", "nan", "inf", "1_0", "0x1p3", "1 000"])
+def test_answers_that_are_no_numbers_are_listed(alone, number):
+    folder, run = alone
+    (folder / "answers.csv").write_text(f"# by hand\nproblem;quantity;value\n\nlaw-jkr;pull_off_force;{number}\n")
+    assert f"answers.csv, line 4: '{number}' is no number" in run("answers.csv").stdout
+    assert json.loads(run("answers.csv", "--json").stdout)["problems"][0]["answered"] == 0
+
+
+@pytest.mark.parametrize("line, message", [("law-jkr", "line 2: 1 fields, but 4 columns"),
+                                           ("law-jkr,pull_off_force,-1,2,N", "line 2: 5 fields, but 4 columns"),
+                                           ("law-jkr,pull_off_force,1198,nN", "line 2: 'pull_off_force' of 'law-jkr' is asked in N, not in nN")])
+def test_wrong_lines_are_errors(alone, line, message):
+    folder, run = alone
+    (folder / "answers.csv").write_text(f"problem,quantity,value,unit\n{line}\n")
+    done = run("answers.csv")
+    assert done.returncode == 1 and message in done.stderr and "Traceback" not in done.stderr
+
+
+def test_another_encoding_is_an_error_with_the_name_of_the_file(alone):
+    folder, run = alone
+    (folder / "answers.csv").write_bytes("problem,quantity,value,Größe\n".encode("latin-1"))
+    assert "answers.csv: the text is not UTF-8" in run("answers.csv").stderr
+
+
+def test_verbose_has_every_quantity_and_doubts_signs(alone):
+    folder, run = alone
+    answers = {key: value for key, value in right().items() if key[0] == "law-dmt"}
+    answers["law-dmt", "pull_off_force"] = "-" + answers["law-dmt", "pull_off_force"]
+    write_answers(folder / "answers.csv", answers)
+    lines = run("answers.csv", "--verbose").stdout.splitlines()
+    assert all(any(line.split()[:1] == [name] for line in lines) for _, name in answers)
+    assert [line.split()[0] for line in lines if line.endswith("sign?")] == ["pull_off_force"]
+
+
+def test_means_of_groups_and_of_answered_problems(alone):
+    folder, run = alone
+    write_answers(folder / "answers.csv", {key: value for key, value in right().items() if key[0] == "rigid-wavy"})
+    groups = {one["group"]: one for one in json.loads(run("answers.csv", "--json").stdout)["groups"]}
+    assert groups["rigid"]["answered"] == 1 and groups["rigid"]["digits_answered"] == 10
+    assert groups["rigid"]["digits"] == pytest.approx(10 / groups["rigid"]["problems"])
+    assert groups["contact law"]["digits_answered"] == 0
+
+
+def test_a_closed_pipe_is_no_error(alone):
+    folder, _ = alone
+    command = f"{sys.executable} -I -S {folder / 'score.py'} --statement | true; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and done.stderr == ""
+
+
 def test_template_is_a_file_of_answers(alone):
     folder, run = alone
     (folder / "answers.csv").write_text(run("--template").stdout)
@@ -233,9 +307,18 @@ def test_template_is_a_file_of_answers(alone):
 
 def test_statements(alone):
     _, run = alone
-    assert len(run("--list").stdout.splitlines()) == len(PROBLEMS)
+    first, *others = run("--list").stdout.splitlines()
+    assert first == f"adhesion-sheet-1  sha256 {CHECKSUM}" and len(others) == len(PROBLEMS)
     assert "Tabor parameter" in run("--statement").stdout
     for problem in PROBLEMS:
         text = run("--statement", problem["id"]).stdout
         assert problem["statement"] in text and all(f"{key} = {value}" in text for key, value in problem["parameters"].items())
+        everything = run("--statement", problem["id"], "--all").stdout
+        assert text.strip() in everything and problem["catches"] in everything and score.read_problems()["definitions"][-1] in everything
     assert run("--statement", "law-none").returncode == 1
+
+
+def test_every_parameter_is_a_number_with_a_unit():
+    for problem in PROBLEMS:
+        assert list(problem["parameters"]) == list(problem["parameter_units"])
+        assert all(isinstance(value, (int, float)) for value in problem["parameters"].values())

@@ -26,15 +26,15 @@ static void answer_jkr(curve *c) {
   arb_clear(radius), arb_clear(last), arb_clear(approach), arb_clear(load);
 }
 
-/* 1/E* of bodies with E1, nu1 and, unless only one is given, E2, nu2. */
+/* E* of one body with E and nu, or of two with E1, nu1, E2 and nu2. */
 static void contact_modulus(arb_t modulus, const parameters *p, size_t bodies) {
-  static const char *const young[] = {"E1", "E2"}, *const poisson[] = {"nu1", "nu2"};
+  static const char *const names[][2][2] = {{{"E", "nu"}}, {{"E1", "nu1"}, {"E2", "nu2"}}};
   arb_t e, nu;
   arb_init(e), arb_init(nu);
   arb_zero(modulus);
   for (size_t k = 0; k < bodies; ++k) {
-    take(e, p, young[k]);
-    take(nu, p, poisson[k]);
+    take(e, p, names[bodies - 1][k][0]);
+    take(nu, p, names[bodies - 1][k][1]);
     arb_mul(nu, nu, nu, BITS);
     arb_sub_ui(nu, nu, 1, BITS);
     arb_neg(nu, nu);
