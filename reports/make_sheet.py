@@ -39,9 +39,9 @@ def mathematics(text):
     text = re.sub(r"\bint_(\w)\^(r_max|inf|\w)", r"∫<sub>\1</sub><sup>\2</sup>", text)
     text = re.sub(r"\b[A-Za-z]+(?:_0|\d+)?\b", lambda word: WORDS.get(word[0], word[0]), text)
     text = re.sub(r"\bsqrt(?=[(])", "√", text)
-    text = re.sub(r"\^\(([^()]*)\)", r"<sup>\1</sup>", text)
+    text = re.sub(r"\^\(((?:[^()]|\([^()]*\))*)\)", r"<sup>\1</sup>", text)
     text = re.sub(r"\^(-?\d+(?:\.\d+)?|[a-z])", lambda found: f"<sup>{found[1].replace('-', '−')}</sup>", text)
-    text = re.sub(r"\b([RDErad])(\d|_max|_t|_0)\b", lambda found: f"{found[1]}<sub>{found[2].strip('_')}</sub>", text)
+    text = re.sub(r"\b([RDEALracd])(\d|_\d|_max|_t)\b", lambda found: f"{found[1]}<sub>{found[2].strip('_')}</sub>", text)
     text = re.sub(r"(?<![\w>)])-(?=[\d(√A-Za-zπα-ω])", "−", text)
     text = re.sub(r"(?<= )-(?= )", "−", text)
     text = re.sub(r"`(\w+)`", r"<code>\1</code>", text)
@@ -67,8 +67,10 @@ def name(text):
 
 
 def parameters(problem):
-    return Markup(", ").join(Markup("{} = {}").format(mathematics(key) if key in WORDS or len(key) < 3 else key,
-                                                     number(f"{value:g}") if not isinstance(value, str) else value)
+    """The parameters with their units, in one line."""
+    units = {key: "" if unit == "1" else Markup("\u202f") + mathematics(unit) for key, unit in problem["parameter_units"].items()}
+    return Markup(", ").join(Markup("{} = {}{}").format(mathematics(key) if key in WORDS or len(key) < 4 else key,
+                                                       number(f"{value:g}"), units[key])
                              for key, value in problem["parameters"].items())
 
 
