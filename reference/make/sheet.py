@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The certified values of the adhesion sheet: those of contact laws, rigid bodies, JKR with grooves, and viscoelastic bodies.
 
-    sheet.py --seal              write the header of sheet/values.csv anew, with the checksum of problems.json; no value changes
+    sheet.py --seal              write the header of sheet/values.csv anew, with the checksum of problems.json, and that of
+                                 values.csv into doc/sheet.md; no value changes
     sheet.py --write             compute the values of these groups, and replace them in sheet/values.csv
     sheet.py --sample            recompute some problems by both routes and compare (exit 1 on disagreement)
     sheet.py --sample --all      every problem
@@ -18,6 +19,7 @@ the difference from the program, whichever is greater.
 import argparse
 import hashlib
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -185,6 +187,9 @@ def seal(_):
     if [entry[:2] for entry in rows] != asked:
         raise ValueError("values.csv and problems.json have other quantities")
     write_table(SHEET / "values.csv", header(), COLUMNS, rows)
+    page = STORED.parent / "doc" / "sheet.md"
+    checksum = read_table(SHEET / "values.csv")[0]["sha256"]
+    page.write_text(re.sub(r"(?<=sha256 )[0-9a-f]{64}", checksum, page.read_text()))
 
 
 def sample(given):

@@ -142,7 +142,8 @@ def first_route(problem, levels=None):
 def words(p):
     """The options of `pulloff solve` for the parameters of a problem."""
     names = {"tabor": "--tabor", "R": "--radius", "A": "--amplitude", "wavelength": "--wavelength", "coupling": "--coupling",
-             "outer_radius": "--outer-radius", "stiffness": "--stiffness", "preload_load": "--preload-load", "preload": "--preload"}
+             "outer_radius": "--outer-radius", "stiffness": "--stiffness", "preload_load": "--preload-load",
+             "preload": "--preload"}
     out = [word for key, name in names.items() if key in p for word in (name, str(p[key]))]
     for option, word, standard in (("--law", law(p), LENNARD_JONES), ("--profile", profile(p), "sphere")):
         out += [option, word] if word != standard else []

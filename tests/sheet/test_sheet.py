@@ -318,6 +318,11 @@ def test_statements(alone):
     assert run("--statement", "law-none").returncode == 1
 
 
+def test_the_page_has_the_checksum():
+    page = SHEET.parents[1] / "doc" / "sheet.md"
+    assert f"sha256 {CHECKSUM}" in page.read_text(), "python3 reference/make/sheet.py --seal writes it"
+
+
 def test_every_parameter_is_a_number_with_a_unit():
     for problem in PROBLEMS:
         assert list(problem["parameters"]) == list(problem["parameter_units"])
