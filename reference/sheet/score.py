@@ -148,7 +148,7 @@ def means(records, key, names):
 
 
 def mean(numbers):
-    return sum(numbers) / len(numbers) if numbers else 0.0
+    return sum(numbers) / len(numbers) if numbers else None
 
 
 def scored(sheet, checksum, records, unread):
@@ -170,8 +170,10 @@ def report(result, values, answers, verbose):
                       for name, found in record["quantities"].items()]
     for key, name in (("level", "levels"), ("group", "groups")):
         lines.append(f"{key:16} {'problems':>8} {'answered':>8} {'mean digits':>11} {'of answered':>11} {'of':>4}")
-        lines += [f"{one[key]:16} {one['problems']:8} {one['answered']:8} {one['digits']:11.1f} {one['digits_answered']:11.1f} "
-                  f"{one['certified']:4.1f}" for one in result[name]]
+        for one in result[name]:
+            answered = f"{one['digits_answered']:.1f}" if one["answered"] else "-"
+            lines.append(f"{one[key]:16} {one['problems']:8} {one['answered']:8} {one['digits']:11.1f} {answered:>11} "
+                         f"{one['certified']:4.1f}")
     return "\n".join(lines)
 
 
