@@ -166,7 +166,6 @@ def test_force_of_mean_and_sides(tmp_path):
     ("pulloff: --output is s.csv: expected another file than the scan", "profile s.csv --output s.csv"),
     ("pulloff: the columns x and z have no units: expected --units", "profile none.csv --output t.csv --from-physical --modulus-pa 1e9 "
      "--work-j-per-m2 0.1 --distance-m 1e-9"),
-    ("*the gap falls with the radius: *", "profile hollow.csv --apex highest"),
     ("*one has a unit at the end of its name: expected *", "profile half.csv"),
     ("*12 rows with a height are too few: expected at least 32", "profile few.csv"),
 ])
@@ -175,7 +174,6 @@ def test_messages(tmp_path, monkeypatch, message, words):
     x, z, _ = scan(1)
     write(tmp_path / "s.csv", x, z)
     write(tmp_path / "half.csv", x, z, "x_um,height")
-    write(tmp_path / "hollow.csv", x, [50 * math.exp(-at**2) + at**2 for at in x])
     write(tmp_path / "none.csv", x, z, "x,z")
     write(tmp_path / "few.csv", x[:12], z[:12])
     done = run(words)
