@@ -5,6 +5,7 @@ phi = sum_m w_m exp(-t/tau_m), sum_m w_m = 1. Times are in tau_0.
 
     sls       the standard linear solid: one term, tau = 1
     gamma:n   phi = (1/Gamma(n)) int_0^inf tau^(n-1) exp(-tau) exp(-t/tau) dtau
+    terms:tau_1@w_1;tau_2@w_2   a series, w_1 + w_2 + ... = 1
 """
 
 from dataclasses import dataclass
@@ -27,15 +28,26 @@ class Creep:
     parts: np.ndarray
 
 
+def series(text):
+    """The times and weights of `tau_1@w_1;tau_2@w_2`."""
+    times, weights = np.array([[float(number) for number in term.split("@")] for term in text.split(";")]).T
+    if not (np.all(times > 0.0) and np.all(weights > 0.0) and abs(weights.sum() - 1.0) < 1e-12):
+        raise ValueError(f"series {text}: expected times > 0, and weights > 0 with the sum 1")
+    return times, weights
+
+
 def creep(spectrum, k, speed, refine=1.0):
-    """The terms of `sls` or `gamma:n` that matter at a speed of the base, in epsilon/tau_0."""
+    """The terms of a spectrum that matter at a speed of the base, in epsilon/tau_0."""
     if not 0.0 < k <= 1.0:
         raise ValueError(f"k = {k:g}: expected 0 < k <= 1")
     if spectrum == "sls":
         return Creep(k, np.ones(1), np.full(1, 1.0 - k))
     name, _, exponent = spectrum.partition(":")
+    if name == "terms":
+        times, weights = series(exponent)
+        return Creep(k, times, (1.0 - k) * weights)
     if name != "gamma":
-        raise ValueError(f"spectrum {spectrum}: expected sls or gamma:n")
+        raise ValueError(f"spectrum {spectrum}: expected sls, gamma:n or terms:tau@w;...")
     n, spacing = float(exponent), SPACING / refine
     shortest = np.log(min(SHORTEST / refine**10 / speed, 1e-3))
     log = LONGEST - spacing * np.arange(int(np.ceil((LONGEST - shortest) / spacing)) + 1)
@@ -53,6 +65,9 @@ def persson_brener(spectrum, k, speed):
         x = gain / (2.0 * np.pi * speed)
         if spectrum == "sls":
             return np.hypot(1.0, x) - x
+        if spectrum.startswith("terms:"):
+            times, weights = series(spectrum.partition(":")[2])
+            return weights @ (np.hypot(1.0, x / times) - x / times)
         n = float(spectrum.partition(":")[2])
 
         def part(s):

@@ -73,11 +73,14 @@ COARSE_TIME = {"step": 1e-5, "spectrum": 0.9}
 
 
 def material(text):
-    """The spectrum, as creep takes it, and k of `sls:k` or `gamma:k;n`."""
+    """The spectrum, as creep takes it, and k of `sls:k`, `gamma:k;n` or `terms:k;tau_1@w_1;...`."""
     name, _, rest = text.partition(":")
+    if name == "terms":
+        k, _, terms = rest.partition(";")
+        return f"terms:{terms}", float(k)
     numbers = rest.replace(";", ",").split(",")
     if name not in ("sls", "gamma") or len(numbers) != (1 if name == "sls" else 2):
-        raise ValueError(f"material {text}: expected sls:k or gamma:k;n")
+        raise ValueError(f"material {text}: expected sls:k, gamma:k;n or terms:k;tau@w;...")
     return name if name == "sls" else f"gamma:{numbers[1]}", float(numbers[0])
 
 

@@ -100,7 +100,7 @@ static int find_key(const char *name) {
 static po_status refuse(int key, const char *value) {
   char shown[PO_QUOTE_LENGTH];
   if (*po_message())
-    return key == PO_KEY_PROFILE_FILE ? PO_CANNOT_READ : PO_BAD_INPUT;
+    return key == PO_KEY_PROFILE_FILE || key == PO_KEY_VISCOELASTIC ? PO_CANNOT_READ : PO_BAD_INPUT;
   const char *expected = pulloff_key_expected((size_t)key);
   return po_suggest(po_fail(PO_BAD_INPUT, "%s is %s: expected %s", pulloff_key_name((size_t)key),
                             po_quote(value, shown), expected),

@@ -210,7 +210,91 @@ def test_theories_of_other_bodies_are_refused():
     assert wavy[3]["reason"] == "the surface has waves" and wavy[3]["force"] is None and wavy[1]["force"] > 1.5
 
 
+BODY = "time_ms,modulus_mpa\n0.1,5\n10,4\ninf,1\n"
+
+
+def test_a_table_of_a_material_is_known_by_its_content(tmp_path):
+    """The digest does not depend on the path; a case names the table relative to its folder."""
+    folder = tmp_path / "cases"
+    folder.mkdir()
+    for path in (tmp_path / "a b.csv", folder / "body.csv"):
+        path.write_text(BODY)
+    words = "--tabor 1 --preload 3 --tolerance 1e-4 --unload-speed 100"
+    first = document(f"solve {words} --viscoelastic 'prony:{tmp_path / 'a b.csv'}'")
+    second = document(f"solve {words} --viscoelastic prony:{folder / 'body.csv'}")
+    assert first["digest"] == second["digest"] and first["unloading"]["terms"] == 2
+    (folder / "body.csv").write_text(BODY.replace("4", "3.9"))
+    other = document(f"solve {words} --viscoelastic prony:{folder / 'body.csv'}")
+    assert other["digest"] != first["digest"] and other["pull_off"]["force"] != first["pull_off"]["force"]
+    (folder / "body.csv").write_text(BODY)
+    (folder / "bodies.csv").write_text("viscoelastic,unload_speed\nprony:body.csv,100\nsls:0.5,1\n")
+    case = folder / "own.yaml"
+    for name, lines in {"scene": "scene: {%s, viscoelastic: 'prony:body.csv', unload_speed: 100}",
+                        "axis": "scene: {%s, unload_speed: 100}\nsweep: [{key: viscoelastic, values: ['prony:body.csv', 'sls:0.5']}]",
+                        "table": "scene: {%s}\nsweep: [{table: bodies.csv}]"}.items():
+        case.write_text("name: own\ntitle: Tables of materials\nsuites: [own]\nwant: [pull_off]\n"
+                        + lines % "tabor: 1, radius: 100, outer_radius: .inf, scheme: panel, preload: 3, tolerance: 1e-4" + "\n")
+        expect(0, "*", f"run {case} --output {tmp_path / name}")
+        record = json.loads((tmp_path / name / "own" / "record.json").read_text())
+        assert record["points"][0]["input"]["viscoelastic"] == "prony:body.csv"
+        assert "--viscoelastic prony:body.csv " in record["points"][0]["command"]
+        assert record["points"][0]["pull_off"]["force"] == second["pull_off"]["force"]
+    case.write_text(case.read_text().replace("bodies.csv", "body.csv"))
+    expect(2, "*the column time_ms is unknown: expected names of keys", f"run {case} --output {tmp_path / 'bad'}")
+
+
+def test_times_in_seconds_need_no_relaxation_time(tmp_path):
+    """tau_0 is then 1 s; a table without a unit is the same body with tau_0 in s."""
+    (tmp_path / "s.csv").write_text(BODY)
+    (tmp_path / "own.csv").write_text("time,modulus\n1,5\n100,4\ninf,1\n")
+    scene = ("solve --from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8 --preload-m 6e-10 "
+             "--tolerance 1e-4 --unload-speed-m-per-s 3e-8 --viscoelastic")
+    found = document(f"{scene} prony:{tmp_path / 's.csv'}")
+    assert found["input"]["unload_speed"] == pytest.approx(100.0, rel=1e-12)
+    assert document(f"{scene} prony:{tmp_path / 's.csv'} --relaxation-time-s 1")["digest"] == found["digest"]
+    expect(2, "*--relaxation-time-s is 2: expected 1 or nothing, as the times of the material are in s",
+           f"{scene} prony:{tmp_path / 's.csv'} --relaxation-time-s 2")
+    own = document(f"{scene} prony:{tmp_path / 'own.csv'} --relaxation-time-s 1e-4")
+    assert own["pull_off"]["force"] == pytest.approx(found["pull_off"]["force"], rel=1e-6)
+    case = tmp_path / "own.yaml"
+    case.write_text("""name: own
+title: A table in SI units
+suites: [own]
+want: [pull_off]
+scene:
+  physical: {modulus_pa: 1e9, work_j_per_m2: 0.05, distance_m: 3e-10, radius_m: 3e-8, preload_m: 6e-10, unload_speed_m_per_s: 3e-8}
+  scheme: panel
+  tolerance: 1e-4
+  viscoelastic: "prony:s.csv"
+""")
+    expect(0, "*", f"run {case} --output {tmp_path / 'out'}")
+    record = json.loads((tmp_path / "out" / "own" / "record.json").read_text())
+    assert record["points"][0]["input"]["unload_speed"] == pytest.approx(100.0, rel=1e-12)
+
+
+@pytest.mark.parametrize("content, message", [
+    ("time,gap\n1,2\n", ":1: the columns are time | gap: expected one time*and one of modulus and compliance*"),
+    ("time,modulus,compliance\n1,0.1,0.1\n", ":1: the columns are time | modulus | compliance: expected one time*"),
+    ("time,modulus\n1,-2\n", ":2: the modulus is -2: expected a number > 0"),
+    ("time,compliance\n0.1,0.2\n1,0\n", ":3: the compliance is 0: expected a number > 0"),
+    ("time,modulus\n2,0.1\n1,0.1\n", ":3: the time is 1: expected more than in the row before"),
+    ("time,modulus\n1,1\n", ": the sum of the weights is 1: expected less than 1, or the relaxed modulus*"),
+    ("time,modulus_pa\n1,5\n", ": the relaxed modulus (time inf, in the last row) is missing: expected it, as the weights have a unit"),
+    ("time,compliance\n1,1.5\n", ": the sum of the weights is 1.5: expected less than 1, or the instantaneous compliance*"),
+    ("time,modulus\n0,1\n", ":2: the time is 0: expected 1e-12 to 1e12 tau_0, or inf*"),
+    ("time,compliance\n1,0.1\ninf,1\n", ":3: the time is inf: expected 1e-12 to 1e12 tau_0, or 0*"),
+    ("time,modulus\ninf,1\n", ": the table has no finite time > 0: expected at least one"),
+    ("time,modulus\n1,x\n", ":2: modulus is x: expected a finite number"),
+    ("time,modulus\n1,1e-300\n2,1e300\ninf,1\n", ": the weights differ too much to be converted*"),
+    ("time,modulus\n" + "".join(f"{k + 1},0.001\n" for k in range(161)), ":162: the number of times is 161: expected at most 160"),
+])
+def test_tables_of_materials_that_are_refused(content, message, tmp_path):
+    (tmp_path / "body.csv").write_text(content)
+    expect(4, f"pulloff: *body.csv{message}", f"solve --viscoelastic prony:{tmp_path / 'body.csv'} --unload-speed 1")
+
+
 @pytest.mark.parametrize("words, message", [
+    ("--viscoelastic prony:", "*--viscoelastic is prony:: expected sls:K or gamma:K,N*"),
     ("--viscoelastic sls:0", "*--viscoelastic is sls:0: expected sls:K or gamma:K,N*"),
     ("--viscoelastic sls:1.5 --unload-speed 1", "*--viscoelastic is sls:1.5: expected*"),
     ("--viscoelastic gamma:0.1 --unload-speed 1", "*--viscoelastic is gamma:0.1: expected*"),

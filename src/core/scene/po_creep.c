@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_creep_table.h"
 #include "po_elementary.h"
 #include "po_number.h"
 #include "po_parameters.h"
@@ -13,10 +14,29 @@
  * is at times shorter than those of any test. */
 static const double LEAST_EXPONENT = 0.05, GREATEST_EXPONENT = 10.0;
 
-bool po_creep_read(const char *text, po_creep *creep) {
+const char *po_creep_file_of(const char *text) {
+  static const char PRONY[] = "prony:";
+  const size_t length = strlen(PRONY);
+  return strncmp(text, PRONY, length) == 0 && text[length] ? text + length : NULL;
+}
+
+static po_status read_file(const char *path, po_creep *creep) {
+  if (strlen(path) > PO_CREEP_PATH_LENGTH)
+    return po_fail(PO_CANNOT_READ, "the path of a material has %zu bytes: expected at most %d",
+                   strlen(path), PO_CREEP_PATH_LENGTH);
+  const po_creep_table *table;
+  const po_status status = po_creep_table_read(path, &table);
+  if (!status)
+    *creep = (po_creep){.kind = PO_CREEP_PRONY, .ratio = table->terms.instant, .table = table};
+  return status;
+}
+
+po_status po_creep_read(const char *text, po_creep *creep) {
   static const char SLS[] = "sls:", GAMMA[] = "gamma:";
   double value[2] = {NAN, 1.0};
   po_creep_kind kind = PO_CREEP_NONE;
+  if (po_creep_file_of(text))
+    return read_file(po_creep_file_of(text), creep);
   if (strncmp(text, SLS, strlen(SLS)) == 0 && po_parameters_read(text + strlen(SLS), 1, value))
     kind = PO_CREEP_SLS;
   else if (strncmp(text, GAMMA, strlen(GAMMA)) == 0 &&
@@ -24,9 +44,9 @@ bool po_creep_read(const char *text, po_creep *creep) {
     kind = PO_CREEP_GAMMA;
   if (kind == PO_CREEP_NONE || !(value[0] > 0.0 && value[0] <= 1.0) ||
       !(value[1] >= LEAST_EXPONENT && value[1] <= GREATEST_EXPONENT))
-    return false;
-  *creep = (po_creep){kind, value[0], value[1]};
-  return true;
+    return PO_BAD_INPUT;
+  *creep = (po_creep){.kind = kind, .ratio = value[0], .exponent = value[1]};
+  return PO_OK;
 }
 
 void po_creep_write(const po_creep *creep, char text[PO_CREEP_TEXT]) {
@@ -35,8 +55,24 @@ void po_creep_write(const po_creep *creep, char text[PO_CREEP_TEXT]) {
   po_number_print(creep->exponent, exponent);
   if (creep->kind == PO_CREEP_SLS)
     snprintf(text, PO_CREEP_TEXT, "sls:%s", ratio);
-  else
+  else if (creep->kind == PO_CREEP_GAMMA)
     snprintf(text, PO_CREEP_TEXT, "gamma:%s,%s", ratio, exponent);
+  else
+    snprintf(text, PO_CREEP_TEXT, "prony:%s", creep->shown ? creep->shown : creep->table->path);
+}
+
+void po_creep_write_identity(const po_creep *creep, char text[PO_CREEP_TEXT]) {
+  po_creep identity = *creep;
+  identity.shown = creep->table ? creep->table->digest : NULL;
+  po_creep_write(&identity, text);
+}
+
+const char *po_creep_file(const po_creep *creep) {
+  return creep->table ? creep->table->path : NULL;
+}
+
+bool po_creep_is_in_seconds(const po_creep *creep) {
+  return creep->table && creep->table->in_seconds;
 }
 
 /* Spacing of the trapezoidal rule in u = ln(tau): its error goes as exp(-pi^2/SPACING), 2e-11, as
@@ -65,6 +101,10 @@ static void fill_gamma(const po_creep *creep, double least, po_creep_terms *term
 }
 
 void po_creep_terms_fill(const po_creep *creep, double duration, po_creep_terms *terms) {
+  if (creep->kind == PO_CREEP_PRONY) {
+    *terms = creep->table->terms;
+    return;
+  }
   terms->instant = creep->ratio;
   if (creep->kind == PO_CREEP_GAMMA) {
     fill_gamma(creep, fmin(SHORTEST, SHORTEST * duration), terms);
@@ -72,6 +112,16 @@ void po_creep_terms_fill(const po_creep *creep, double duration, po_creep_terms 
   }
   terms->count = 1;
   terms->term[0] = (po_creep_term){1.0, 1.0 - creep->ratio};
+}
+
+double po_creep_mean_time(const po_creep *creep) {
+  if (creep->kind != PO_CREEP_PRONY)
+    return creep->kind == PO_CREEP_GAMMA ? creep->exponent : 1.0;
+  const po_creep_terms *terms = &creep->table->terms;
+  double sum = 0.0;
+  for (size_t m = 0; m < terms->count; ++m)
+    sum += terms->term[m].weight * terms->term[m].time;
+  return sum / (1.0 - terms->instant);
 }
 
 double po_creep_compliance(const po_creep_terms *terms, double t) {

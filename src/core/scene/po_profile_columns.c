@@ -7,29 +7,26 @@
 
 static const char *const WANTED[] = {"r", "gap", NULL};
 
-static const struct {
-  const char *name;
-  double size; /* m */
-} UNITS[] = {{"", 1.0}, {"_m", 1.0}, {"_mm", 1e-3}, {"_um", 1e-6}, {"_nm", 1e-9}, {"_pm", 1e-12}};
+static const po_column_unit UNITS[] = {/* m */
+                                       {"", 1.0},     {"_m", 1.0},   {"_mm", 1e-3},
+                                       {"_um", 1e-6}, {"_nm", 1e-9}, {"_pm", 1e-12}};
 enum { UNIT_COUNT = sizeof UNITS / sizeof *UNITS };
 
-/* Finds the columns that are named `word`, with any unit. Returned: their number; the unit of the
- * first. */
-static int find(const po_csv *csv, const char *word, int *column, int *unit) {
+int po_columns_find(const po_csv *csv, const char *word, const po_column_unit *units, int count,
+                    int *column, int *unit) {
   const size_t length = strlen(word);
   int found = 0;
   for (size_t c = 0; c < csv->column_count; ++c)
-    for (int u = 0; u < UNIT_COUNT; ++u)
+    for (int u = 0; u < count; ++u)
       if (strncmp(csv->columns[c], word, length) == 0 &&
-          strcmp(csv->columns[c] + length, UNITS[u].name) == 0 && found++ == 0) {
+          strcmp(csv->columns[c] + length, units[u].name) == 0 && found++ == 0) {
         *column = (int)c;
         *unit = u;
       }
   return found;
 }
 
-/* Writes the names as they are in the file, as far as there is space. */
-static void list_names(const po_csv *csv, size_t size, char *text) {
+void po_columns_list(const po_csv *csv, size_t size, char *text) {
   po_text list = {0};
   for (size_t c = 0; c < csv->column_count && list.length < size; ++c)
     po_text_add(&list, "%s%s", c ? " | " : "", csv->columns[c]);
@@ -39,11 +36,11 @@ static void list_names(const po_csv *csv, size_t size, char *text) {
 
 static po_status find_columns(const po_csv *csv, po_profile_columns *columns) {
   int r = 0, gap = 0;
-  const int radii = find(csv, WANTED[0], &columns->r, &r);
-  const int gaps = find(csv, WANTED[1], &columns->gap, &gap);
+  const int radii = po_columns_find(csv, WANTED[0], UNITS, UNIT_COUNT, &columns->r, &r);
+  const int gaps = po_columns_find(csv, WANTED[1], UNITS, UNIT_COUNT, &columns->gap, &gap);
   if (!radii || !gaps) {
     char names[200];
-    list_names(csv, sizeof names, names);
+    po_columns_list(csv, sizeof names, names);
     return po_fail(PO_CANNOT_READ,
                    "%s:%zu: of the columns r and gap, with or without a unit (r_um, gap_nm), %s "
                    "missing in this line of names, which are separated by %s: %s",

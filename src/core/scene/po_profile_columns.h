@@ -6,6 +6,20 @@
 
 #include "po_csv.h"
 
+/* The end of the name of a column, and the unit that it means. */
+typedef struct {
+  const char *name;
+  double size;
+} po_column_unit;
+
+/* Finds the columns that are named `word`, with any of `count` units. Returned: their number; the
+ * column and the unit of the first. */
+int po_columns_find(const po_csv *csv, const char *word, const po_column_unit *units, int count,
+                    int *column, int *unit);
+
+/* Writes the names as they are in the file, as far as there is space. */
+void po_columns_list(const po_csv *csv, size_t size, char *text);
+
 typedef struct {
   int r, gap;                  /* columns of the table */
   double r_factor, gap_factor; /* unit, m; 1 without a unit */

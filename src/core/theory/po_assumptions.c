@@ -155,12 +155,11 @@ static void find_of_rate(const po_request *request, double tension, const po_clo
   const po_rate_theory *edge = &states->edge;
   const po_creep *creep = &request->creep;
   const double k = creep->ratio, a = edge->contact_radius;
-  const double mean = creep->kind == PO_CREEP_GAMMA ? creep->exponent : 1.0; /* tau_0 */
   const bool creeps = creep->kind != PO_CREEP_NONE;
   number[PO_ASSUMES_SLOW] = creeps ? edge->work - 1.0 : 0.0;
   number[PO_ASSUMES_AT_ONCE] = k * edge->work;
   number[PO_ASSUMES_EDGE_ZONE] = edge->work * zone_of(&request->scene, tension, a);
-  number[PO_ASSUMES_RELAXED] = edge->edge_speed * mean / a;
+  number[PO_ASSUMES_RELAXED] = edge->edge_speed * po_creep_mean_time(creep) / a;
   number[PO_ASSUMES_FLATTENED] =
       edge->preload_radius / sqrt(2.0 * request->scene.radius / (k * tension));
   number[PO_ASSUMES_BEYOND] = states->at_once.preload_radius / states->at_once.contact_radius;

@@ -174,8 +174,9 @@ const char *po_case_word(const po_case *kase);
 po_status po_case_line_table(const po_case_file *file, const po_case_line *line,
                              const volatile sig_atomic_t *stop, po_text *rows);
 
-/* Given: the path of the table of a profile, as it is in the request of a point. Returned: the name
- * relative to the folder of the case file, a part of `path`; `path` if it is elsewhere. */
+/* Given: the path of the table of a profile or a material, as it is in the request of a point.
+ * Returned: the name relative to the folder of the case file, a part of `path`; `path` if it is
+ * elsewhere. */
 const char *po_case_profile_shown(const po_case *kase, const char *path);
 
 /* Returned: the value of a key that an item of the sweep varies, at a point; NULL: it has none. */

@@ -214,8 +214,10 @@ static void add_setting(const po_case *kase, po_point *point, const po_sweep *sw
       continue;
     if (key < PO_KEY_COUNT)
       po_key_set(&point->request, key, value);
-    po_text_add(label, "%s%s=%s", label->length ? " " : "", PO_KEYS[key].name,
-                key == PO_KEY_PROFILE_FILE ? po_case_profile_shown(kase, value) : value);
+    const char *material = key == PO_KEY_VISCOELASTIC ? po_creep_file_of(value) : NULL;
+    const char *file = key == PO_KEY_PROFILE_FILE ? value : material;
+    po_text_add(label, "%s%s=%s%s", label->length ? " " : "", PO_KEYS[key].name,
+                material ? "prony:" : "", file ? po_case_profile_shown(kase, file) : value);
   }
 }
 

@@ -338,9 +338,9 @@ static po_status parse_series(po_case *kase, const po_yaml *yaml) {
  * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
 static po_status parse(po_case *kase, const po_yaml *yaml) {
   static po_status (*const STEPS[])(po_case *, const po_yaml *) = {
-      parse_names,         parse_repeats,  po_case_profile_resolve, po_case_sweep_parse,
-      po_case_scene_parse, parse_checks,   po_case_lines_parse,     parse_series,
-      check_stand_ins,     po_case_expand, po_case_scene_check,     check_concerned,
+      parse_names,         parse_repeats,  po_case_files_resolve, po_case_sweep_parse,
+      po_case_scene_parse, parse_checks,   po_case_lines_parse,   parse_series,
+      check_stand_ins,     po_case_expand, po_case_scene_check,   check_concerned,
       check_pinned};
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < sizeof STEPS / sizeof *STEPS; ++i)

@@ -70,9 +70,12 @@ po_status po_case_scene_set_physical(const po_case *kase, const po_yaml *yaml, p
  * and sample give; the points must be computed. Status: as above. */
 po_status po_case_scene_check(po_case *kase, const po_yaml *yaml);
 
-/* Replaces the names of tables of profiles, which are relative to the case file, by their paths,
- * and reads the tables. Status: as above; PO_CANNOT_READ. */
-po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml);
+/* As po_case_path, for the table of a material, "prony:FILE"; other materials stay. */
+po_status po_case_material_path(const po_case *kase, char **word);
+
+/* Replaces the names of tables of profiles and materials, which are relative to the case file, by
+ * their paths, and reads the tables. Status: as above; PO_CANNOT_READ. */
+po_status po_case_files_resolve(po_case *kase, const po_yaml *yaml);
 
 /* Computes kase->points: every drawn scene with every combination of the sweep, without those that
  * a rule of `leave_out` excludes; and draws the scenes of `traced`. Status: as above;

@@ -67,6 +67,22 @@ po_status po_case_path(const po_case *kase, char **word) {
   return PO_OK;
 }
 
+po_status po_case_material_path(const po_case *kase, char **word) {
+  if (!po_creep_file_of(*word))
+    return PO_OK;
+  char *file = po_copy_text(po_creep_file_of(*word));
+  po_status status = file ? po_case_path(kase, &file) : PO_NO_MEMORY;
+  po_text named = {0};
+  if (!status)
+    po_text_add(&named, "prony:%s", file);
+  free(file);
+  if (status || named.failed)
+    return PO_NO_MEMORY;
+  free(*word);
+  *word = named.data;
+  return PO_OK;
+}
+
 /* Fails with the present message, preceded by the line and the path of a value in the case, unless
  * the message names it. Returned: the status. */
 static po_status case_refuse_for(const po_yaml *yaml, const char *where, po_status status) {
@@ -77,40 +93,62 @@ static po_status case_refuse_for(const po_yaml *yaml, const char *where, po_stat
                  named ? "" : where, named ? "" : ": ", po_message());
 }
 
-/* Replaces the name of a table, relative to the case file, by its path, and reads it. */
-static po_status __attribute__((format(printf, 4, 5)))
-resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *format, ...) {
+/* The keys whose values name tables. */
+static const po_key OF_FILES[] = {PO_KEY_PROFILE_FILE, PO_KEY_VISCOELASTIC};
+enum { OF_FILES_COUNT = sizeof OF_FILES / sizeof *OF_FILES };
+
+static po_status read_file(const po_case *kase, po_key key, char **word) {
+  if (key == PO_KEY_VISCOELASTIC) {
+    po_creep scratch = {0};
+    const po_status status = po_case_material_path(kase, word);
+    return status || !po_creep_file_of(*word) ? status : po_creep_read(*word, &scratch);
+  }
+  po_profile scratch = po_profile_sphere();
+  const po_status status = po_case_path(kase, word);
+  return status ? status : po_profile_set_file(&scratch, *word);
+}
+
+/* Replaces the name of a table, relative to the case file, by its path, and reads it. Given: the
+ * value of a key that may name one; NULL: it has none. */
+static po_status __attribute__((format(printf, 5, 6)))
+resolve(const po_case *kase, const po_yaml *yaml, po_key key, char **word, const char *format,
+        ...) {
+  if (!*word)
+    return PO_OK;
   char where[2 * PO_CASE_WHERE_LENGTH];
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(where, sizeof where, format, arguments);
   va_end(arguments);
-  po_profile scratch = po_profile_sphere();
-  po_status status = po_case_path(kase, word);
-  if (!status)
-    status = po_profile_set_file(&scratch, *word);
+  const po_status status = read_file(kase, key, word);
   return status ? case_refuse_for(yaml, where, status) : PO_OK;
 }
 
 static po_status resolve_axis(const po_case *kase, po_axis *axis, const char *where,
                               const po_yaml *yaml) {
   po_status status = PO_OK;
-  if (axis->key && po_key_of_name(axis->key) == PO_KEY_PROFILE_FILE)
+  const int key = axis->key ? po_key_of_name(axis->key) : -1;
+  if (key == PO_KEY_PROFILE_FILE || key == PO_KEY_VISCOELASTIC)
     for (unsigned k = 0; k < axis->values_count && !status; ++k)
-      status = resolve(kase, yaml, &axis->values[k], "%s.values[%u]", where, k + 1);
+      status = resolve(kase, yaml, key, &axis->values[k], "%s.values[%u]", where, k + 1);
   return status;
 }
 
-po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml) {
+static po_status resolve_key(const po_case *kase, const po_yaml *yaml, po_key key) {
   po_case_file *file = kase->file;
-  po_status status = PO_OK;
-  if (file->scene.values[PO_KEY_PROFILE_FILE])
-    status = resolve(kase, yaml, &file->scene.values[PO_KEY_PROFILE_FILE], "scene.profile_file");
+  const char *name = PO_KEYS[key].name;
+  po_status status = resolve(kase, yaml, key, &file->scene.values[key], "scene.%s", name);
   for (unsigned i = 0; i < file->sweep_count; ++i)
     for (unsigned k = 0; k < file->sweep[i].together_count && !status; ++k)
-      if (file->sweep[i].together[k].values[PO_KEY_PROFILE_FILE])
-        status = resolve(kase, yaml, &file->sweep[i].together[k].values[PO_KEY_PROFILE_FILE],
-                         "sweep[%u].together[%u].profile_file", i + 1, k + 1);
+      status = resolve(kase, yaml, key, &file->sweep[i].together[k].values[key],
+                       "sweep[%u].together[%u].%s", i + 1, k + 1, name);
+  return status;
+}
+
+po_status po_case_files_resolve(po_case *kase, const po_yaml *yaml) {
+  po_status status = PO_OK;
+  for (int k = 0; k < OF_FILES_COUNT && !status; ++k)
+    status = resolve_key(kase, yaml, OF_FILES[k]);
   return status ? status : po_case_each_axis(kase, yaml, resolve_axis);
 }
 
@@ -146,16 +184,23 @@ bool po_case_is_in_si(po_key key) {
   return key >= PO_KEY_END && key < PO_KEY_PROFILE_APPROACH;
 }
 
-/* The texts of the block at a point, with what the sweep gives in its place. */
+/* The texts of the block at a point, with what the sweep gives in its place; and the material,
+ * whose table may have times in s. */
 static po_texts texts_at(const po_case *kase, const po_point *point) {
   po_texts given = {.prefix = "scene.physical.", .si = true, .mixed = true};
   memcpy(given.text, kase->file->scene.physical->values, sizeof given.text);
+  given.text[PO_KEY_VISCOELASTIC] = kase->file->scene.values[PO_KEY_VISCOELASTIC];
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
     for (int key = PO_KEY_END; key < PO_KEY_PROFILE_APPROACH; ++key) {
       const char *value = po_case_swept_text(kase, point, i, key);
       if (value)
         given.text[key] = value;
     }
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i) {
+    const char *material = po_case_swept_text(kase, point, i, PO_KEY_VISCOELASTIC);
+    if (material)
+      given.text[PO_KEY_VISCOELASTIC] = material;
+  }
   return given;
 }
 

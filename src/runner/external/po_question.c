@@ -21,9 +21,12 @@ static bool is_asked(const po_request *request, int key) {
  * table. */
 static void print_value(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]) {
   po_key_print(request, key, text);
-  char *real = key == PO_KEY_PROFILE_FILE ? realpath(text, NULL) : NULL;
+  const char *file = key == PO_KEY_PROFILE_FILE   ? text
+                     : key == PO_KEY_VISCOELASTIC ? po_creep_file(&request->creep)
+                                                  : NULL;
+  char *real = file ? realpath(file, NULL) : NULL;
   if (real)
-    snprintf(text, PO_KEY_TEXT_LENGTH, "%s", real);
+    snprintf(text, PO_KEY_TEXT_LENGTH, "%s%s", key == PO_KEY_VISCOELASTIC ? "prony:" : "", real);
   free(real);
 }
 
@@ -36,8 +39,9 @@ static json_t *scene_json(const po_request *request) {
       char path[PO_KEY_TEXT_LENGTH];
       print_value(request, key, path);
       po_json_set(&object, name,
-                  key == PO_KEY_PROFILE_FILE ? po_json_text(path)
-                                             : json_incref(json_object_get(input, name)));
+                  key == PO_KEY_PROFILE_FILE || key == PO_KEY_VISCOELASTIC
+                      ? po_json_text(path)
+                      : json_incref(json_object_get(input, name)));
     }
   json_decref(input);
   return object;

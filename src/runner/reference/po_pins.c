@@ -24,6 +24,8 @@ void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TE
     snprintf(text, PO_KEY_TEXT_LENGTH, "-");
   else if (key == PO_KEY_PROFILE_FILE)
     snprintf(text, PO_KEY_TEXT_LENGTH, "%s", po_profile_digest(&request->scene.profile));
+  else if (key == PO_KEY_VISCOELASTIC)
+    po_creep_write_identity(&request->creep, text);
   else
     po_key_print(request, key, text);
 }

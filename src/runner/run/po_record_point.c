@@ -171,6 +171,8 @@ static po_request shown_request(const po_case *kase, const po_point *point) {
   po_profile *profile = &request.scene.profile;
   if (po_profile_is_table(profile))
     profile->shown = po_case_profile_shown(kase, po_profile_file(profile));
+  if (po_creep_file(&request.creep))
+    request.creep.shown = po_case_profile_shown(kase, po_creep_file(&request.creep));
   return request;
 }
 

@@ -144,7 +144,7 @@ static bool set_name(po_request *request, po_key key, const char *text) {
   if (key == PO_KEY_WAVES)
     return po_scene_set_waves(&request->scene, text);
   if (key == PO_KEY_VISCOELASTIC)
-    return po_creep_read(text, &request->creep);
+    return po_creep_read(text, &request->creep) == PO_OK;
   const char *const *names = key == PO_KEY_SCHEME    ? PO_SCHEMES
                              : key == PO_KEY_GRADING ? PO_GRADINGS
                                                      : PO_RANGES;
@@ -372,6 +372,15 @@ static bool waves_match(const po_scene *a, const po_scene *b) {
   return match;
 }
 
+static bool creeps_match(const po_creep *a, const po_creep *b) {
+  char text[2][PO_CREEP_TEXT];
+  if (a->kind != b->kind || a->kind != PO_CREEP_PRONY)
+    return a->kind == b->kind && is_close(a->ratio, b->ratio) && is_close(a->exponent, b->exponent);
+  po_creep_write_identity(a, text[0]);
+  po_creep_write_identity(b, text[1]);
+  return strcmp(text[0], text[1]) == 0;
+}
+
 /* The Lennard-Jones law of the paper is the Mie law (3, 9): one name for both. */
 static po_request with_one_name(po_request request) {
   if (po_law_index(&request.scene.law) == 0)
@@ -384,6 +393,12 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
   const po_scene *scene = &request->scene;
   if (key == PO_KEY_PROFILE_FILE && strcmp(text, po_profile_digest(&scene->profile)) == 0)
     return true;
+  if (key == PO_KEY_VISCOELASTIC && request->creep.kind == PO_CREEP_PRONY) {
+    char identity[PO_CREEP_TEXT];
+    po_creep_write_identity(&request->creep, identity);
+    if (strcmp(text, identity) == 0)
+      return true;
+  }
   if (key == PO_KEY_STIFFNESS && strcmp(text, "-") == 0)
     return isnan(request->stiffness);
   if (!po_key_set(&wanted, key, text))
@@ -404,9 +419,7 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
   case PO_KEY_WAVES:
     return waves_match(scene, &wanted.scene);
   case PO_KEY_VISCOELASTIC:
-    return wanted.creep.kind == request->creep.kind &&
-           is_close(wanted.creep.ratio, request->creep.ratio) &&
-           is_close(wanted.creep.exponent, request->creep.exponent);
+    return creeps_match(&wanted.creep, &request->creep);
   case PO_KEY_COUPLING:
     return is_near(po_key_number(request, key), po_key_number(&wanted, key), ULPS_OF_COUPLING);
   default:

@@ -126,7 +126,11 @@ static void add_option(po_text *command, const po_request *request, po_key key, 
   po_text_add(command, " --%s ", flag);
   if (key == PO_KEY_PROFILE_FILE)
     po_text_add_word(command, identity ? po_profile_digest(&request->scene.profile) : value);
-  else
+  else if (key == PO_KEY_VISCOELASTIC) {
+    if (identity)
+      po_creep_write_identity(&request->creep, value);
+    po_text_add_word(command, value);
+  } else
     po_text_add(command, "%s", value);
 }
 

@@ -92,8 +92,9 @@
          "ones and their limit; auto, the latter where contact edges are very narrow or the solve fails or is long (default auto)")) \
   X(VISCOELASTIC, "viscoelastic", WORDS(PO_CREEP_EXPECTED), NUMBER, TRACE, NO_PLACE, CONSTANT, SERIES, "MATERIAL", \
     HELP("viscoelastic half-space, loaded slowly to the preload and unloaded at --unload-speed: sls:K, the standard " \
-         "linear solid, or gamma:K,N, the Gamma spectrum with the exponent N; K is the ratio of the relaxed to the " \
-         "glassy modulus, and --tabor belongs to the relaxed one (default: elastic)")) \
+         "linear solid, gamma:K,N, the Gamma spectrum with the exponent N, or prony:FILE, a table of times and weights of " \
+         "the modulus or the compliance; K is the ratio of the relaxed to the glassy modulus, and --tabor belongs to the " \
+         "relaxed one (default: elastic)")) \
   X(UNLOAD_SPEED, "unload_speed", NOT_NEGATIVE_OR_INFINITE, NUMBER, TRACE, PLACE(unload_speed), VARIES, SERIES, "V", \
     HELP("speed of unloading of --viscoelastic, in epsilon/tau_0; 0 and inf are the slow and the fast limit")) \
   X(TIME_LIMIT, "time_limit", POSITIVE, NUMBER, TRACE, PLACE(time_limit), CONSTANT, SERIES, "S", \
@@ -142,7 +143,8 @@
   X(RELAXATION_TIME_S, "relaxation_time_s", POSITIVE, NUMBER, SI, NO_PLACE, CONSTANT, SERIES, "TAU", \
     HELP("time tau_0 of --viscoelastic, in s")) \
   X(UNLOAD_SPEED_M_PER_S, "unload_speed_m_per_s", NOT_NEGATIVE_OR_INFINITE, NUMBER, SI, SETS(UNLOAD_SPEED), VARIES, \
-    SERIES, "V", HELP("speed of unloading of --viscoelastic, in m/s; needs --relaxation-time-s"))
+    SERIES, "V", HELP("speed of unloading of --viscoelastic, in m/s; needs --relaxation-time-s, unless the " \
+         "times of a table are in s"))
 
 #define PO_TEXTS_ROWS(X) PO_SI_ROWS(X) \
   X(PROFILE_APPROACH, "profile_approach", ANY_NUMBER, LENGTH, TRACE, PLACE(profile_approach), CONSTANT, NO_VERB, "D", \

@@ -54,6 +54,11 @@ static po_status set_key(po_texts *given, int key, po_request *request) {
   const char *text = given->text[key];
   if (!text)
     return PO_OK;
+  if (key == PO_KEY_VISCOELASTIC) {
+    const po_status read = po_creep_read(text, &request->creep);
+    given->wrong = key;
+    return read == PO_BAD_INPUT ? refuse(given, key, "%s", PO_KEYS[key].expected) : read;
+  }
   if (key != PO_KEY_PROFILE_FILE)
     return po_key_set(request, key, text) ? PO_OK : refuse(given, key, "%s", PO_KEYS[key].expected);
   given->wrong = key; /* the message states what is wrong with the file */
@@ -279,15 +284,20 @@ static po_status set_physical(po_texts *given, po_request *request) {
 static po_status set_speed(po_texts *given, po_request *request) {
   const char *const speed = given->text[PO_KEY_UNLOAD_SPEED_M_PER_S];
   const char *const text = given->text[PO_KEY_RELAXATION_TIME_S];
-  double time = 0;
+  const bool in_seconds = po_creep_is_in_seconds(&request->creep);
+  double time = 1.0;
   if (text && !po_key_parse(PO_KEY_RELAXATION_TIME_S, text, &time))
     return refuse(given, PO_KEY_RELAXATION_TIME_S, "%s",
                   PO_KEYS[PO_KEY_RELAXATION_TIME_S].expected);
   if (text && !speed)
     return refuse(given, PO_KEY_RELAXATION_TIME_S, "it beside a speed in m/s");
+  if (text && in_seconds && time != 1.0)
+    return refuse(given, PO_KEY_RELAXATION_TIME_S,
+                  "1 or nothing, as the times of the material are "
+                  "in s");
   if (!speed)
     return PO_OK;
-  if (!text)
+  if (!text && !in_seconds)
     return refuse(given, PO_KEY_RELAXATION_TIME_S, "%s, as the speed is in m/s",
                   PO_KEYS[PO_KEY_RELAXATION_TIME_S].expected);
   request->unload_speed *= time / request->units.length;

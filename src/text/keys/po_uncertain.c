@@ -73,7 +73,8 @@ po_status po_uncertain_read(po_texts *given, po_uncertain_inputs *u) {
   *u = (po_uncertain_inputs){0};
   po_status status = PO_OK;
   for (int key = 0; key < PO_KEY_ALL && !status; ++key)
-    if (given->text[key] && key != PO_KEY_PROFILE_FILE && strstr(given->text[key], SIGN))
+    if (given->text[key] && key != PO_KEY_PROFILE_FILE && key != PO_KEY_VISCOELASTIC &&
+        strstr(given->text[key], SIGN))
       status =
           po_uncertain_may(key) ? read_text(given, key, u) : refuse(given, key, given->text[key]);
   return status;
