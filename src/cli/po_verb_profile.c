@@ -16,11 +16,10 @@ static const char HELP[] =
     "microscopes export it: both sides, with an unknown tilt and an apex anywhere. Finds the axis\n"
     "and the tilt with which the two sides differ least, and writes radii and gaps for\n"
     "--profile-file. SCAN is a table with a column of positions and one of heights, and a line of\n"
-    "names; commas, semicolons, tabs or blanks between the cells, decimal points or commas, lines\n"
-    "of text before the names, rows in any order and rows without a height are read. The tilt of "
-    "a\n"
-    "parabola is a displacement of its apex, so that only one which the shape of the sides tells\n"
-    "is removed.\n"
+    "names. Commas, semicolons, tabs or blanks between the cells, decimal points or commas, lines\n"
+    "of text before the names, UTF-8 or UTF-16, and rows in any order are read. Rows whose height\n"
+    "is no number are left out. The tilt of a parabola is a displacement of its apex: only one that\n"
+    "the shape of the sides tells is removed.\n"
     "\n"
     "Scan:\n"
     "  --columns X,Z           names or numbers of the columns of position and height (default "
@@ -153,7 +152,8 @@ static void print_scan(const po_scan *s, FILE *to) {
   const spaced_unit unit = unit_of(s, 0);
   fprintf(to, "scan     %zu rows, %s from %.6g to %.6g%s, heights from column %s%s\n", s->rows, x,
           s->x[0], s->x[s->rows - 1], unit.text, s->column[1].name,
-          s->is_equidistant ? "" : "; the rows are not equidistant and are joined by a spline");
+          s->is_equidistant ? ""
+                            : "; the rows are not equidistant and are joined by straight lines");
   if (s->left_out)
     fprintf(to, "         %zu rows without a height are left out\n", s->left_out);
   fprintf(to, "apex     the %s point; axis at %s = %.6g%s\n", s->is_lowest ? "lowest" : "highest",

@@ -102,8 +102,15 @@ def test_rows_that_are_not_heights_or_equidistant(tmp_path):
     path = write(tmp_path / "s.csv", [x[k] for k in keep], [z[k] for k in keep])
     path.write_text(path.read_text().replace("\n", "\n1.23456,nan\n2.3456,BAD\n", 1))
     out = expect(0, "", f"profile {path} --output {tmp_path / 't.csv'}").out
-    assert "2 rows without a height are left out" in out and "joined by a spline" in out
+    assert "2 rows without a height are left out" in out and "joined by straight lines" in out
     assert numbers(out, "apex", "= ")[0] == pytest.approx(body["axis"], abs=0.05)
+    of = random.Random(9)
+    places = sorted(of.uniform(-20, 20) for _ in range(800))  # noise is not amplified between rows that are near to each other
+    path = write(tmp_path / "r.csv", places, [-1e3 * gap(at, 25, False) + of.gauss(0, 1) for at in places])
+    expect(0, "", f"profile {path} --output {tmp_path / 't.csv'}")
+    off = [g - 1e3 * gap(r, 25, False) for r, g in table(tmp_path / "t.csv")[1]]
+    mean = sum(off) / len(off)
+    assert math.sqrt(sum((o - mean) ** 2 for o in off) / len(off)) < 1
 
 
 @pytest.mark.parametrize("flat, axis, tilt", [(6, 0, 0), (12, 0.6, 0), (6, 0.3, 0.05), (12, -0.4, 0.02), (0, 0.5, 0)])

@@ -247,9 +247,10 @@ static void print_smoothing(const po_profile *profile) {
     return;
   const double unit = profile->table->scale;
   printf("smoothed noise %.4g of the rows %s, residuals %.4g; removed: rms %.4g, greatest %.4g, in "
-         "the unit of the file; %.1f of %zu parameters are left\n",
+         "%s; %.1f of %zu parameters are left\n",
          s->deviation / unit, isinf(profile->table->smooth) ? "estimated" : "stated",
-         s->residual / unit, s->rms / unit, s->greatest / unit, s->parameters, s->points);
+         s->residual / unit, s->rms / unit, s->greatest / unit,
+         profile->table->in_metres ? "m" : "the unit of the file", s->parameters, s->points);
 }
 
 static void print_table(const po_profile *profile) {

@@ -266,9 +266,9 @@ static po_status check_deviation(const po_profile_table *t) {
       (residual <= MOST_WRONG * t->smooth && t->smooth <= MOST_WRONG * residual))
     return PO_OK;
   return po_fail(PO_CANNOT_READ,
-                 "%s: smooth is %g, but the rows are off the smoothing spline by %.3g, both in the "
-                 "unit of the file: expected a deviation within a factor of 3 of that, or auto",
-                 t->path, t->smooth, residual);
+                 "%s: smooth is %g, but the rows are off the smoothing spline by %.3g, both in %s: "
+                 "expected a deviation within a factor of 3 of that, or auto",
+                 t->path, t->smooth, residual, t->in_metres ? "m" : "the unit of the file");
 }
 
 /* Puts the smoothing spline in the place of the rows. */

@@ -55,7 +55,7 @@
     HELP("unit of the numbers of --profile-file, in epsilon (default 1)")) \
   X(SMOOTH, "smooth", OTHER(POSITIVE_OR_AUTO, "a finite number > 0, or auto"), NUMBER, PROFILE, \
     OF_PROFILE(PO_TABLE_SMOOTH), CONSTANT, EVERY, "SIGMA", \
-    HELP("standard deviation of the noise of --profile-file, in the unit of the file; auto estimates it. The profile " \
+    HELP("standard deviation of the noise of --profile-file, in the unit of the file, m if its columns have units; auto estimates it. The profile " \
          "is then a smoothing spline (default: no noise)")) \
   X(PROFILE_FILE, "profile_file", WORDS("a CSV file with the columns r and gap"), \
     NUMBER, PROFILE, SETS(PROFILE), CONSTANT, EVERY, "FILE", HELP("profile from a CSV file with the columns r and gap, in epsilon")) \

@@ -124,20 +124,14 @@ static symmetry shifted(const samples *q, size_t k, size_t reach, double shift) 
 
 /* -- The rows about an axis -- */
 
-/* The height at x: of equidistant rows that of the nearest one, otherwise by a spline. */
-typedef struct {
-  const po_scan *s;
-  double *slope; /* NULL: equidistant */
-} heights;
-
-static double height_at(const heights *h, double x) {
-  const po_scan *s = h->s;
-  if (!h->slope)
+/* The height at x: of equidistant rows that of the nearest one, otherwise on the straight line
+ * between two, which has no more noise than a row. */
+static double height_at(const po_scan *s, double x) {
+  if (s->is_equidistant)
     return s->z[(size_t)fmin(fmax((x - s->x[0]) / s->spacing + 0.5, 0.0), (double)(s->rows - 1))];
   size_t k = po_order_last_up_to(s->x, s->rows, x);
   k = k + 1 < s->rows ? k : s->rows - 2;
-  return po_hermite_value(s->z[k], h->slope[k], s->z[k + 1], h->slope[k + 1], x - s->x[k],
-                          s->x[k + 1] - s->x[k]);
+  return s->z[k] + (s->z[k + 1] - s->z[k]) * ((x - s->x[k]) / (s->x[k + 1] - s->x[k]));
 }
 
 /* An axis on a row or midway between two, so that the rows of the sides are at the same radii. The
@@ -315,12 +309,11 @@ static const double ROUNDING = 1e-6;
 
 /* The height on the axis: of a row there, otherwise by the even parabola through the means of the
  * first two pairs. */
-static double height_on_axis(const heights *h, const double *mean) {
-  return pair_radius(h->s, h->s->axis, 0) > 0.0 ? (9.0 * mean[0] - mean[1]) / 8.0
-                                                : height_at(h, h->s->axis);
+static double height_on_axis(const po_scan *s, const double *mean) {
+  return pair_radius(s, s->axis, 0) > 0.0 ? (9.0 * mean[0] - mean[1]) / 8.0 : height_at(s, s->axis);
 }
 
-static po_status fill_sides(po_scan *s, const heights *h, double end) {
+static po_status fill_sides(po_scan *s, double end) {
   const bool between = pair_radius(s, s->axis, 0) > 0.0;
   const size_t most = s->rows + 2;
   s->r = po_allocate(most, sizeof *s->r);
@@ -336,14 +329,14 @@ static po_status fill_sides(po_scan *s, const heights *h, double end) {
     s->r[s->count] = r;
     for (int side = 0; side < 2; ++side) {
       const double x = side ? r : -r;
-      s->side[side][s->count] = height_at(h, s->axis + x) - s->tilt * x;
+      s->side[side][s->count] = height_at(s, s->axis + x) - s->tilt * x;
     }
     s->count += 1;
   }
   double mean[2];
   for (size_t k = 0; k < 2; ++k)
     mean[k] = 0.5 * (s->side[0][k + between] + s->side[1][k + between]);
-  const double top = height_on_axis(h, mean);
+  const double top = height_on_axis(s, mean);
   if (between)
     s->r[0] = 0.0, s->side[0][0] = s->side[1][0] = top;
   for (size_t k = 0; k < s->count; ++k)
@@ -404,7 +397,7 @@ static void describe(po_scan *s) {
 /* Rows of a table, with that on the axis. */
 enum { LEAST_COUNT = 16 };
 
-static po_status make_sides(const po_scan_request *request, po_scan *s, const heights *h) {
+static po_status make_sides(const po_scan_request *request, po_scan *s) {
   const double shorter = fmin(s->axis - s->x[0], s->x[s->rows - 1] - s->axis);
   const bool cuts = !isnan(request->end);
   if (cuts && !(request->end > 0.0 && request->end <= shorter))
@@ -412,7 +405,7 @@ static po_status make_sides(const po_scan_request *request, po_scan *s, const he
                    "end is %g: expected a radius up to %.6g, where the shorter side "
                    "of the scan ends",
                    request->end, shorter);
-  const po_status status = fill_sides(s, h, cuts ? request->end : shorter);
+  const po_status status = fill_sides(s, cuts ? request->end : shorter);
   if (status)
     return status;
   if (s->count < LEAST_COUNT)
@@ -440,17 +433,8 @@ po_status po_scan_read(const po_scan_request *request, po_scan *s) {
   s->is_lowest = request->apex == PO_APEX_AUTO ? is_hollow(s) : request->apex == PO_APEX_LOWEST;
   for (size_t k = 0; k < s->rows && s->is_lowest; ++k)
     s->z[k] = -s->z[k];
-  heights h = {s, NULL};
-  if (!s->is_equidistant) {
-    h.slope = po_allocate(s->rows, sizeof *h.slope);
-    status = h.slope ? po_spline_slopes(s->rows, s->x, s->z, h.slope) : PO_NO_MEMORY;
-  }
-  if (!status)
-    status = find_axis(request, s);
-  if (!status)
-    status = make_sides(request, s, &h);
-  free(h.slope);
-  return status;
+  status = find_axis(request, s);
+  return status ? status : make_sides(request, s);
 }
 
 void po_scan_clear(po_scan *s) {
