@@ -153,6 +153,9 @@ class Scene(MutableMapping[str, Any]):
         want = values.get("want")
         if want is not None:
             raise refuse("want", want, "it to be left out of a comparison")
+        for key, text in texts_of(self, values).items():
+            if "+-" in text and key != "profile_file":
+                raise refuse(key, text, "a number without uncertainty, which only solve takes")
         values["want"] = "theories"
         rows = self.solve(**values).document["theories"]
         return {row.pop("theory"): row for row in rows}

@@ -468,6 +468,8 @@ class Uncertain(unittest.TestCase):
         for use in (lambda: pulloff.follow("radius", [100, 110], scene), lambda: pulloff.theory("jkr", tabor="1+-0.1")):
             with self.assertRaisesRegex(pulloff.Error, "only solve takes it"):
                 use()
+        with self.assertRaisesRegex(pulloff.Error, "tabor is '1\\+-0.1': expected a number without uncertainty"):
+            scene.compare()
         for key, text, expected in (("tabor", "1+-0", "its uncertainty > 0"), ("tabor", "1+-2", "moved by twice its uncertainty"),
                                     ("scheme", "ring+-1", "a value without uncertainty")):
             with self.assertRaisesRegex(pulloff.Error, expected):
