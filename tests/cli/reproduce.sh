@@ -41,6 +41,7 @@ print("claims", *sys.argv[1:], file=open("asked", "a"))
 print("made-claim 1.57 reproduced")
 sys.exit(int(open("judged").read()) if os.path.exists("judged") else 0)
 PROGRAM
+printf 'import sys\nprint("sheet", *sys.argv[1:], file=open("asked", "a"))\n' >"$tree/reports/make_sheet.py"
 mkdir -p "$tree/reports/papers/wavy_sphere"
 cat >"$tree/reports/papers/wavy_sphere/claims.toml" <<'LIST'
 get.a = { case = "timing", when = { tabor = 1 }, at = "pull_off.force" }
@@ -89,7 +90,8 @@ asked 'verify --suite paper,precision,extreme,general --output build/run'
 asked 'faults --reuse --build build'
 asked 'claims --program build/src/cli/pulloff --run build/run --brief'
 asked 'report --run build/run --output build/report'
-check 'each program is asked once' test "$(wc -l <"$tree/asked")" -eq 4
+asked 'sheet --output build/report'
+check 'each program is asked once' test "$(wc -l <"$tree/asked")" -eq 5
 check 'the verdicts are printed after the steps' test "$(tail -n 3 "$work/stdout" | head -n 2 | tr '\n' ,)" = 'made-claim 1.57 reproduced,a verdict,'
 check 'steps are counted' grep -q -x '\[4/7\] Running the cases  *[0-9.]* s' "$work/stdout"
 check 'the last step is counted' grep -q -x '\[7/7\] Writing the report  *[0-9.]* s' "$work/stdout"
@@ -184,7 +186,7 @@ printf '#!/bin/sh\necho "page $*" >>asked\nmkdir -p build/live\necho page >build
 chmod +x "$tree/reports/live/build.sh"
 not_asked '^page'
 reproduce 0 --no-install --only live
-check 'the page, then the report' test "$(cut -d ' ' -f 1 "$tree/asked" | tr '\n' ' ')" = 'page report '
+check 'the page, then the report and the sheet' test "$(cut -d ' ' -f 1 "$tree/asked" | tr '\n' ' ')" = 'page report sheet '
 asked 'page --no-install'
 check 'the page is beside the report' test -s "$tree/build/report/live.html"
 reproduce 0 --no-install --only cost
