@@ -45,6 +45,8 @@ static const char HELP[] =
     "of\n"
     "each side alone, whose tables are written to FILE with .left and .right before its ending.\n"
     "@scene\n"
+    "@trace\n"
+    "@mesh\n"
     "\n" PO_SCENE_OPTIONS_HELP "\n"
     "Example: pulloff profile scan.csv --output tip.csv --plot tip.svg\n"
     "Example: pulloff profile scan.csv --output tip.csv --from-physical --modulus-pa 2e9 \\\n"
