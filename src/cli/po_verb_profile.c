@@ -18,7 +18,8 @@ static const char HELP[] =
     "--profile-file. SCAN is a table with a column of positions and one of heights, and a line of\n"
     "names. Commas, semicolons, tabs or blanks between the cells, decimal points or commas, lines\n"
     "of text before the names, UTF-8 or UTF-16, and rows in any order are read. Rows whose height\n"
-    "is no number are left out. The tilt of a parabola is a displacement of its apex: only one that\n"
+    "is no number are left out. The tilt of a parabola is a displacement of its apex: only one "
+    "that\n"
     "the shape of the sides tells is removed.\n"
     "\n"
     "Scan:\n"
@@ -193,11 +194,11 @@ static void print_sides(const profile_line *line, const po_scan *s, FILE *to) {
         "warning  the sides agree better than the noise: part of it is short waves of the body, "
         "which the rows hardly resolve; they are not smoothed\n");
   if (s->outliers)
-    fprintf(
-        to,
-        "warning  %zu rows are far from the smooth curve, the first at x = %.6g%s: outliers, or a "
-        "sharp edge of the body\n",
-        s->outliers, s->outlier, x.text);
+    fprintf(to,
+            "warning  far from the smooth curve: %zu of the rows, the first at x = %.6g%s: "
+            "outliers, or a "
+            "sharp edge of the body\n",
+            s->outliers, s->outlier, x.text);
   fprintf(to, "parabola by least squares: radius %.5g%s, rms of the rest %.3g%s\n",
           s->radius * s->column[0].size / s->column[1].size, x.text, s->off_parabola, z.text);
   fprintf(to, "table    %zu rows to radius %.6g%s%s%s\n", s->count, s->r[s->count - 1], x.text,

@@ -133,7 +133,7 @@ def test_warnings(tmp_path):
     assert "warning  the sides agree better than the noise" in out and "--smooth" not in out
     spike = [-1e3 * at**2 / 50 + of.gauss(0, 1) + 3000 * (at == -10) for at in x]
     out = expect(0, "", f"profile {write(tmp_path / 's.csv', x, spike)} --output {tmp_path / 't.csv'}").out
-    assert "warning  1 rows are far from the smooth curve, the first at x = -10 um" in out
+    assert "warning  far from the smooth curve: 1 of the rows, the first at x = -10 um" in out
 
 
 def test_units_in_a_line_of_their_own(tmp_path):
