@@ -191,3 +191,14 @@ def test_rounding_of_a_scheme_without_errors_is_linear():
     """The load of rings does not depend on the radius, in its own unit."""
     [by] = document("solve --tabor 1 --radius 100+-1 --scheme ring --nodes 60")["uncertainty"]["sources"]
     assert by["force"] is not None and abs(by["force"]) < 1e-12
+
+
+def test_noise_of_many_waves(tmp_path):
+    """16 knots, of which a parabola uses few, do not resolve twenty waves: these were taken for noise."""
+    of, rows = random.Random(4), []
+    for k in range(401):
+        r = 0.1 * k
+        rows.append(f"{r:.4f},{r * r / 100 + 0.5 * (1 - math.cos(math.pi * r)) + of.gauss(0, 0.01):.6f}")
+    (tmp_path / "waves.csv").write_text("r,gap\n" + "\n".join(rows) + "\n")
+    out = expect(0, "", f"solve --coupling 0.01 --profile-file {tmp_path / 'waves.csv'} --smooth auto --tolerance 1e-4").out
+    assert float(out.split("smoothed noise ")[1].split()[0]) == pytest.approx(0.01, rel=0.15)
