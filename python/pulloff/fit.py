@@ -340,13 +340,26 @@ def unit_of(name):
     return UNITS.get(word), word.endswith("N")
 
 
+def decoded(raw):
+    """The text of a file in UTF-16 with a byte order mark, UTF-8 or Latin-1."""
+    if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return raw.decode("utf-16")
+    try:
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return raw.decode("latin-1")
+
+
+def is_unit(cell):
+    return cell in UNITS or (cell[:1] + cell[-1:] in ("[]", "()"))
+
+
 def read_table(path):
-    """Names of the columns and rows of a table: commas, semicolons, tabs or blanks, decimal commas, lines of text before the names."""
-    raw = pathlib.Path(path).read_bytes()
-    text = raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig", errors="replace")
-    lines = [line.strip().lstrip("#").strip() for line in text.splitlines() if line.strip()]
+    """Names of the columns and rows of a table: commas, semicolons, tabs or blanks, decimal commas, lines of text before the names, a
+    line of units below them; without names, the columns are called 1, 2 and so on."""
+    lines = [line.strip().lstrip("#").strip() for line in decoded(pathlib.Path(path).read_bytes()).splitlines() if line.strip()]
     separator = max((";", "\t", ","), key=lambda mark: sum(mark in line for line in lines[-20:]))
-    separator = separator if separator in lines[-1] else None
+    separator = separator if lines and separator in lines[-1] else None
 
     def cells(line):
         return [cell.strip().strip('"') for cell in line.split(separator)]
@@ -356,34 +369,36 @@ def read_table(path):
             return float(cell.replace(",", ".") if separator != "," else cell)
         except ValueError:
             return None
-    count = len(cells(lines[-1]))
-    names, rows = None, []
-    for line in lines:
-        row = cells(line)
-        if len(row) != count:
-            continue
-        values = [number(cell) for cell in row]
-        if all(value is None for value in values):
-            names = names or row
-        elif names:
-            rows.append((row, values))
-    if not names or len(rows) < 20:
-        raise NoFit(f"{path}: expected a line of names and at least 20 rows of {count} cells")
+    count = len(cells(lines[-1])) if lines else 0
+    table = [row for row in map(cells, lines) if len(row) == count]
+    numbers = [[number(cell) for cell in row] for row in table]
+    filled = [any(value is not None for value in values) for values in numbers]
+    begin = next((k for k in range(len(table)) if all(filled[k:k + 3])), len(table))  # text before the names may have numbers, too
+    head = [row for row, has in zip(table[:begin], filled) if not has]
+    units = head.pop() if len(head) > 1 and all(map(is_unit, head[-1])) else None
+    names = head[-1] if head else [str(k + 1) for k in range(count)]
+    names = [f"{name} {unit}" for name, unit in zip(names, units)] if units else names
+    rows = [(row, values) for row, values, has in zip(table[begin:], numbers[begin:], filled[begin:]) if has]
+    if len(rows) < 20:
+        raise NoFit(f"{path}: expected at least 20 rows of {max(count, 2)} numbers")
     return names, rows
 
 
-def read_curve(path, columns: Sequence[str] | None = None, stiffness: float = np.inf) -> Curve:
+def read_curve(path, columns: Sequence[str] | None = None, stiffness: float = np.inf, units: Sequence[str] | None = None) -> Curve:
     """A curve from a table. Two columns, position and force or deflection, are the way in and then the way out; three, position, in,
     out, were measured at the same positions; a column `phase` with words such as loading and unloading, approach and retract, tells them apart, as the tables of
-    pulloff solve --loop do. Deflections, in units of length, are multiplied by the stiffness."""
+    pulloff solve --loop do. Deflections, in units of length, are multiplied by the stiffness. Given units, of the columns, stand in place
+    of those in the names."""
     names, rows = read_table(path)
     if columns is None:
-        columns = [name for name in names if unit_of(name)[0]]
+        columns = [str(k + 1) for k in range(len(units))] if units else [name for name in names if unit_of(name)[0]]
         columns = (["base_nm", "load_nN"] if {"base_nm", "load_nN"} <= set(names) else columns[:3])
     places = [int(word) - 1 if word.isdigit() else names.index(word) if word in names else None for word in columns]
     if len(places) not in (2, 3) or None in places or not all(0 <= place < len(names) for place in places):
         raise NoFit(f"{path}: expected two or three columns with units, of {', '.join(names)}")
-    units = [unit_of(names[place]) for place in places]
+    if units and (len(units) != len(places) or not set(units) <= set(UNITS)):
+        raise NoFit(f"units is {','.join(units)}: expected one of {', '.join(UNITS)} for each of the {len(places)} columns")
+    units = [unit_of(unit) for unit in units or [names[place] for place in places]]
     if any(factor is None for factor, _ in units) or units[0][1]:
         raise NoFit(f"{path}: expected a unit of length at the end of the name of the position, and of length or force of the others: "
                     f"{', '.join(names[place] for place in places)}")
@@ -476,6 +491,7 @@ def main(words=None):
     parser.add_argument("--stiffness-n-per-m", type=float, default=np.inf, help="of the cantilever, whose base is at the positions, N/m "
                         "(default: positions are the approach)")
     parser.add_argument("--columns", help="names or numbers of position and force, or of position, way in and way out, with commas between")
+    parser.add_argument("--units", help="units of these columns, with commas between (default: those in their names)")
     parser.add_argument("--plot", help="draw the fits in this file: .svg, .png or .pdf")
     parser.add_argument("--json", action="store_true", help="print one JSON document")
     given = parser.parse_args(words)
@@ -483,7 +499,7 @@ def main(words=None):
         parser.error("radius and stiffness: expected numbers > 0")
     radius, stiffness = given.radius_m * 1e9, given.stiffness_n_per_m
     try:
-        curve = read_curve(given.curve, given.columns and given.columns.split(","), stiffness)
+        curve = read_curve(given.curve, given.columns and given.columns.split(","), stiffness, given.units and given.units.split(","))
         full = fit_curve(curve, radius, stiffness)
     except (NoFit, OSError, pulloff.Error) as error:
         print(f"pulloff: {error}", file=sys.stderr)

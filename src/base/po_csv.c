@@ -1,5 +1,6 @@
 #include "po_csv.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -11,6 +12,11 @@
 #include "po_quote.h"
 
 static const char BLANKS[] = " \t";
+
+typedef struct {
+  bool comments;  /* whether lines that begin with # may stand among the rows */
+  bool is_export; /* see po_csv_read_export */
+} table_rules;
 
 static bool is_blank(const char *line) {
   return line[strspn(line, BLANKS)] == '\0';
@@ -89,10 +95,29 @@ static po_status refuse_quote(const po_csv *csv, size_t number) {
                  csv->path, number);
 }
 
-static po_status set_columns(po_csv *csv, char *line, size_t number) {
+static size_t most_cells(const char *line) {
   size_t most = 1;
   for (const char *c = line; *c; ++c)
     most += *c == ',';
+  return most;
+}
+
+/* Names the columns of a table without names. */
+static po_status number_columns(po_csv *csv, const char *line, size_t number) {
+  enum { LENGTH = sizeof "column " + 20 };
+  csv->column_line = number;
+  csv->column_count = most_cells(line);
+  csv->columns = po_allocate(csv->column_count, sizeof *csv->columns + LENGTH);
+  char *name = (char *)(csv->columns + csv->column_count);
+  for (size_t i = 0; csv->columns && i < csv->column_count; ++i, name += LENGTH) {
+    snprintf(name, LENGTH, "column %zu", i + 1);
+    csv->columns[i] = name;
+  }
+  return csv->columns ? PO_OK : PO_NO_MEMORY;
+}
+
+static po_status set_columns(po_csv *csv, char *line, size_t number, bool repeated) {
+  const size_t most = most_cells(line);
   csv->column_line = number;
   csv->columns = po_allocate(most, sizeof *csv->columns);
   if (!csv->columns)
@@ -111,6 +136,8 @@ static po_status set_columns(po_csv *csv, char *line, size_t number) {
                      csv->path, number, i + 1, csv->columns[i]);
   }
   size_t twice = 0;
+  if (repeated)
+    return PO_OK;
   if (find_repeated(csv->columns, csv->column_count, sizeof *csv->columns, &twice))
     return PO_NO_MEMORY;
   return twice == csv->column_count
@@ -128,7 +155,7 @@ static po_status refuse_count(const po_csv *csv, size_t number, size_t count) {
                      : "");
 }
 
-static po_status add_row(po_csv *csv, char *line, size_t number) {
+static po_status add_row(po_csv *csv, char *line, size_t number, bool empty) {
   const size_t n = csv->column_count;
   /* if the row count is 0 or a power of 2, double the memory */
   if ((csv->row_count & (csv->row_count - 1)) == 0) {
@@ -148,7 +175,7 @@ static po_status add_row(po_csv *csv, char *line, size_t number) {
     return refuse_quote(csv, number);
   if (count != n)
     return refuse_count(csv, number, count);
-  for (size_t i = 0; i < n; ++i)
+  for (size_t i = 0; i < n && !empty; ++i)
     if (cells[i][0] == '\0')
       return po_fail(PO_CANNOT_READ, "%s:%zu: the cell of column %s is empty", csv->path, number,
                      csv->columns[i]);
@@ -171,8 +198,15 @@ static bool compute_digest(const po_text *text, char digest[PO_DIGEST_LENGTH]) {
   return line < end;
 }
 
-/* Given: comments, whether lines that begin with # may stand among the rows. */
-static po_status parse(po_csv *csv, size_t size, bool comments) {
+/* Takes the line of names; if the first line is a row, names the columns and takes the row. */
+static po_status begin_columns(po_csv *csv, char *line, size_t number, table_rules rules) {
+  if (!rules.is_export || !strchr("+-.0123456789", line[strspn(line, " \t\"")]))
+    return set_columns(csv, line, number, rules.is_export);
+  const po_status status = number_columns(csv, line, number);
+  return status ? status : add_row(csv, line, number, true);
+}
+
+static po_status parse(po_csv *csv, size_t size, table_rules rules) {
   if (size == 0)
     return po_fail(PO_CANNOT_READ, "%s is empty: expected a table", csv->path);
   if (memchr(csv->text, '\0', size))
@@ -199,13 +233,13 @@ static po_status parse(po_csv *csv, size_t size, bool comments) {
     else if (!csv->columns && is_header)
       status = add_header(csv, line, number);
     else if (!csv->columns)
-      status = set_columns(csv, line, number);
-    else if (comments && is_header)
+      status = begin_columns(csv, line, number, rules);
+    else if (rules.comments && is_header)
       ;             /* left out */
     else if (blank) /* not after the rows */
       status = refuse_count(csv, blank, 0);
     else
-      status = add_row(csv, line, number);
+      status = add_row(csv, line, number, rules.is_export);
     line = stop + 1;
   }
   if (!status)
@@ -222,8 +256,8 @@ const char *po_csv_separated(const po_csv *csv) {
                                   : "commas";
 }
 
-po_status po_csv_read_columns(const char *path, const char *name, const char *const *wanted,
-                              po_csv *csv) {
+static po_status read_table(const char *path, const char *name, const char *const *wanted,
+                            bool is_export, po_csv *csv) {
   *csv = (po_csv){.separator = ','};
   po_text text = {0};
   po_status status = po_file_read(path, &text.data, &text.length);
@@ -235,14 +269,23 @@ po_status po_csv_read_columns(const char *path, const char *name, const char *co
     status = po_csv_make_plain(name, wanted, &text, &csv->separator);
   csv->text = text.data;
   if (!status)
-    status = parse(csv, text.length, wanted && !sealed);
+    status = parse(csv, text.length, (table_rules){wanted && !sealed, is_export});
   if (status)
     po_csv_clear(csv);
   return status;
 }
 
 po_status po_csv_read(const char *path, const char *name, po_csv *csv) {
-  return po_csv_read_columns(path, name, NULL, csv);
+  return read_table(path, name, NULL, false, csv);
+}
+
+po_status po_csv_read_export(const char *path, const char *name, po_csv *csv) {
+  return read_table(path, name, NULL, true, csv);
+}
+
+po_status po_csv_read_columns(const char *path, const char *name, const char *const *wanted,
+                              po_csv *csv) {
+  return read_table(path, name, wanted, false, csv);
 }
 
 void po_csv_clear(po_csv *csv) {

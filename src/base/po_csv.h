@@ -40,6 +40,10 @@ typedef struct {
  * may have any form of po_csv_form.h. */
 po_status po_csv_read(const char *path, const char *name, po_csv *csv);
 
+/* As po_csv_read, for measured curves, as instruments export them: columns without names are called
+ * "column 1" and so on, names may be repeated, cells may be empty. */
+po_status po_csv_read_export(const char *path, const char *name, po_csv *csv);
+
 /* As po_csv_read, for a table with the wanted columns (po_csv_form.h). */
 po_status po_csv_read_columns(const char *path, const char *name, const char *const *wanted,
                               po_csv *csv);

@@ -25,7 +25,9 @@ typedef struct {
   const char *const *wanted; /* see po_csv_make_plain */
   span *lines;
   size_t count;
-  size_t names; /* the line of names; count: none was found */
+  size_t names; /* the line of names, or the first row if none has a name */
+  size_t units; /* the line of units below the names; 0: there is none */
+  bool is_nameless;
   char separator;
   bool decimal_comma;
   size_t columns;
@@ -185,14 +187,50 @@ static bool is_row(form *f, size_t k, char separator, size_t columns) {
   return number && without_end(f, count, columns) == columns;
 }
 
+static bool is_unit(const char *cell) {
+  static const char *const UNITS[] = {"m",  "mm", "um", "\u00B5m", "\u03BCm", "nm", "pm",
+                                      "N",  "mN", "uN", "\u00B5N", "\u03BCN", "nN", "pN",
+                                      "Pa", "s",  "ms", "V",       "mV"};
+  const size_t length = strlen(cell);
+  const bool brackets = length > 2 && ((*cell == '[' && cell[length - 1] == ']') ||
+                                       (*cell == '(' && cell[length - 1] == ')'));
+  for (size_t u = 0; !brackets && u < sizeof UNITS / sizeof *UNITS; ++u)
+    if (strcmp(cell, UNITS[u]) == 0)
+      return true;
+  return brackets;
+}
+
+/* Whether a line is one of so many units. */
+static bool are_units(form *f, size_t k, char separator, size_t columns) {
+  const size_t count = without_end(f, split(f, k, separator), columns);
+  for (size_t i = 0; i < count; ++i)
+    if (!is_unit(f->cells[i]))
+      return false;
+  return count == columns;
+}
+
+/* Returned: the first line from k on that is neither blank nor a comment; count: there is none. */
+static size_t next_line(const form *f, size_t k) {
+  while (k < f->count && (is_blank(&f->lines[k]) || is_comment(&f->lines[k])))
+    ++k;
+  return k;
+}
+
+/* Whether so many cells stand in the line `next`, that of units or of a row. Returned: units, the
+ * line of units, 0 if there is none. */
+static bool are_columns(form *f, size_t next, char separator, size_t columns, size_t *units) {
+  *units = are_units(f, next, separator, columns) ? next : 0;
+  if (*units)
+    next = next_line(f, next + 1);
+  return next < f->count && is_row(f, next, separator, columns);
+}
+
 /* Finds the line of names. Given: wanted, whether it has these names; row, whether a row follows.
  */
 static bool find_names(form *f, bool wanted, bool row) {
-  size_t next = 0; /* the next line that is neither blank nor a comment */
+  size_t next = 0;
   for (size_t k = 0; k < f->count; ++k) {
-    next = next > k ? next : k + 1;
-    while (next < f->count && (is_blank(&f->lines[next]) || is_comment(&f->lines[next])))
-      ++next;
+    next = next > k ? next : next_line(f, k + 1);
     if (row && next == f->count)
       return false;
     if (!row && is_comment(&f->lines[k]))
@@ -201,9 +239,35 @@ static bool find_names(form *f, bool wanted, bool row) {
       const size_t count = without_end(f, split(f, k, *separator), 2);
       if (!are_names(f, count, wanted))
         continue;
-      if (row && !is_row(f, next, *separator, count))
+      if (row && !are_columns(f, next, *separator, count, &f->units))
         continue;
       f->names = k;
+      f->separator = *separator;
+      f->columns = count;
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Whether the cells that were split last are numbers. */
+static bool are_numbers(const form *f, size_t count) {
+  for (size_t i = 0; i < count; ++i)
+    if (!is_number(f->cells[i], '.') && !is_number(f->cells[i], ','))
+      return false;
+  return count > 1;
+}
+
+/* Finds the first row of a table without names: two lines of as many numbers. */
+static bool find_rows(form *f) {
+  for (size_t k = next_line(f, 0), next = 0; k < f->count; k = next) {
+    next = next_line(f, k + 1);
+    for (const char *separator = ";\t ,"; *separator && next < f->count; ++separator) {
+      const size_t count = without_end(f, split(f, k, *separator), 2);
+      if (!are_numbers(f, count) || !is_row(f, next, *separator, count))
+        continue;
+      f->names = k;
+      f->is_nameless = true;
       f->separator = *separator;
       f->columns = count;
       return true;
@@ -225,7 +289,7 @@ static po_status find_decimal_mark(form *f) {
       shown[2][64] = {"", ""}; /* the first with a point, with a comma */
   size_t line[2] = {0};
   bool proven = false;
-  for (size_t k = f->names + 1; k < f->count; ++k) {
+  for (size_t k = f->names + !f->is_nameless; k < f->count; ++k) {
     const size_t count = is_comment(&f->lines[k]) ? 0 : split(f, k, f->separator);
     for (size_t i = 0; i < count; ++i)
       for (int comma = 0; comma < 2; ++comma) {
@@ -285,14 +349,30 @@ static void write_name(const form *f, const char *cell, char *name, size_t size)
   name[used] = '\0';
 }
 
+/* Adds the name of column i, with its unit, if it has one. */
+static void add_name(const form *f, size_t i, const char *cell, const char *unit, po_text *text) {
+  char name[200];
+  po_text whole = {0};
+  po_text_add(&whole, unit && strchr("[(", *unit) ? "%s %s" : unit ? "%s (%s)" : "%s", cell, unit);
+  write_name(f, po_text_string(&whole), name, sizeof name);
+  const bool fits = whole.length + 2 < sizeof name;
+  add_cell(text, i == 0 && !*name ? "index" : fits ? name : po_text_string(&whole), i == 0);
+  text->failed = text->failed || whole.failed;
+  po_text_clear(&whole);
+}
+
 static void add_names(form *f, po_text *text) {
+  po_text units = {0}; /* cells, each with its NUL */
+  for (size_t i = 0, count = f->units ? split(f, f->units, f->separator) : 0; i < count; ++i)
+    po_text_add_bytes(&units, f->cells[i], strlen(f->cells[i]) + 1);
+  const char *unit = f->units && !units.failed ? units.data : NULL;
   const size_t count = split(f, f->names, f->separator);
   for (size_t i = 0; i < f->columns && i < count; ++i) {
-    char name[200];
-    write_name(f, f->cells[i], name, sizeof name);
-    const bool whole = strlen(f->cells[i]) + 2 < sizeof name;
-    add_cell(text, i == 0 && !*name ? "index" : whole ? name : f->cells[i], i == 0);
+    add_name(f, i, f->cells[i], unit, text);
+    unit = unit ? unit + strlen(unit) + 1 : NULL;
   }
+  text->failed = text->failed || units.failed;
+  po_text_clear(&units);
 }
 
 /* Adds a row; one that is malformed stays as it is, and is refused by the reader. */
@@ -319,12 +399,15 @@ static void add_preamble(const form *f, size_t k, po_text *text) {
 }
 
 static void write(form *f, po_text *text) {
+  const size_t names = f->units ? f->units : f->names;
   for (size_t k = 0; k < f->count; ++k) {
     const span *line = &f->lines[k];
-    if (k == f->names)
+    if (k == names && !f->is_nameless)
       add_names(f, text);
     else if (k < f->names)
       add_preamble(f, k, text);
+    else if (k < names)
+      ; /* the names, written with the units */
     else if (is_comment(line))
       po_text_add_bytes(text, line->at, f->wanted ? 1 : line->length);
     else if (!is_blank(line))
@@ -343,7 +426,7 @@ po_status po_csv_make_plain(const char *name, const char *const *wanted, po_text
   status = find_lines(text, f);
   const bool found =
       !status && ((wanted && (find_names(f, true, true) || find_names(f, true, false))) ||
-                  find_names(f, false, true));
+                  find_names(f, false, true) || (!wanted && find_rows(f)));
   if (found)
     status = find_decimal_mark(f);
   if (found && !status) {

@@ -3,6 +3,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "po_quote.h"
+
 size_t po_encoding_blank(const char *text) {
   static const char *const BLANKS[] = {"\u00A0", "\u2007", "\u2009", "\u202F"};
   for (size_t i = 0; i < sizeof BLANKS / sizeof *BLANKS; ++i)
@@ -44,6 +46,26 @@ static void decode_utf16(po_text *text, bool big) {
   *text = utf8;
 }
 
+/* Whether bytes that are not UTF-8 are characters of Latin-1. Bytes from 80 to 9F are controls
+ * there, and letters in several other encodings. */
+static bool is_latin1(const po_text *text) {
+  const char *at = text->data, *end = text->data + text->length, *bad = at;
+  for (const char *c = at; c < end; ++c)
+    if ((unsigned char)*c >= 0x80 && (unsigned char)*c < 0xA0)
+      return false;
+  while ((bad = po_quote_find(bad, (size_t)(end - bad))) && (unsigned char)*bad < 0x80)
+    ++bad;
+  return bad;
+}
+
+static void decode_latin1(po_text *text) {
+  po_text utf8 = {0};
+  for (size_t i = 0; i < text->length; ++i)
+    add_character(&utf8, (unsigned char)text->data[i]);
+  po_text_clear(text);
+  *text = utf8;
+}
+
 po_status po_encoding_decode(const char *name, po_text *text) {
   const char *t = text->data;
   const bool wide =
@@ -62,6 +84,8 @@ po_status po_encoding_decode(const char *name, po_text *text) {
                    "%s is not a text file: it contains a NUL byte, as UTF-16 without a byte order "
                    "mark does: expected UTF-8",
                    name);
+  else if (text->length && is_latin1(text))
+    decode_latin1(text);
   for (char *end = text->failed ? NULL : strchr(text->data, '\r'); end; end = strchr(end, '\r')) {
     const size_t count = strspn(end, "\r");
     if (end[count] != '\n' && (end == text->data || end[-1] != '\n'))

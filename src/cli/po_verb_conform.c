@@ -33,7 +33,7 @@ typedef struct {
 } conform_line;
 
 static const po_option OPTIONS[] = {PO_TEXT("knob", conform_line, knob, "a value of the knob"),
-                                    PO_TEXT("output", conform_line, output, "the name of a folder"),
+                                    PO_OUTPUT(conform_line, output, "the name of a folder"),
                                     {0}};
 
 /* Returned: the length of the part of a path that exists. */

@@ -48,7 +48,7 @@ static const char HELP[] =
     "                          pull-off force, 1e-6 to 0.01 (default 1e-4)\n"
     "  --name NAME             name of the function and the table, letters, digits and _ (default\n"
     "                          pulloff_law)\n"
-    "  --output FILE           write to FILE, and print what the law is (default: standard "
+    "  -o, --output FILE       write to FILE, and print what the law is (default: standard "
     "output)\n"
     "  -h, --help              print this text\n"
     "\n" PO_SCENE_OPTIONS_HELP "\n"
@@ -114,7 +114,7 @@ static po_status take_name(const char *name, void *value) {
 static const po_option OPTIONS[] = {PO_TAKEN("format", law_line, format, take_format),
                                     PO_TAKEN("error", law_line, error, take_error),
                                     PO_TAKEN("name", law_line, name, take_name),
-                                    PO_TEXT("output", law_line, output, "the name of a file"),
+                                    PO_OUTPUT(law_line, output, "the name of a file"),
                                     PO_REFUSED_STIFFNESS,
                                     {0}};
 

@@ -28,6 +28,10 @@ static const char HELP[] =
     "                          the approach)\n"
     "  --columns NAMES         names or numbers of the two or three columns, with commas between\n"
     "                          (default: the first ones with units)\n"
+    "  --units UNITS           units of these columns, such as um,nN (default: those in their "
+    "names, "
+    "or\n"
+    "                          in a line below the names)\n"
     "  --plot FILE             draw curve and fits in FILE, which ends in .svg, .png or .pdf "
     "(needs\n"
     "                          matplotlib)\n"
@@ -38,7 +42,7 @@ static const char HELP[] =
 
 typedef struct {
   double radius, stiffness;
-  const char *columns, *plot;
+  const char *columns, *units, *plot;
   bool json;
 } fit_line;
 
@@ -46,6 +50,7 @@ static const po_option OPTIONS[] = {
     PO_NUMBER("radius-m", fit_line, radius, 0.0, "a number > 0"),
     PO_NUMBER("stiffness-n-per-m", fit_line, stiffness, 0.0, "a number > 0"),
     PO_TEXT("columns", fit_line, columns, "two or three names or numbers"),
+    PO_TEXT("units", fit_line, units, "two or three units"),
     PO_TAKEN("plot", fit_line, plot, po_plot_take_file),
     PO_FLAG("json", fit_line, json),
     {0}};
@@ -67,6 +72,10 @@ static int run(const fit_line *line, char *curve) {
   if (line->columns) {
     argv[count++] = "--columns";
     argv[count++] = (char *)line->columns;
+  }
+  if (line->units) {
+    argv[count++] = "--units";
+    argv[count++] = (char *)line->units;
   }
   if (line->plot) {
     argv[count++] = "--plot";

@@ -38,7 +38,7 @@ static const char HELP[] =
     "\n"
     "Results:\n"
     "  --side NAME             both: the mean of both sides; left or right (default both)\n"
-    "  --output FILE           write the table to FILE (default: standard output)\n"
+    "  -o, --output FILE       write the table to FILE (default: standard output)\n"
     "  --plot FILE             draw both sides in FILE, which ends in .svg, .png or .pdf\n"
     "  -h, --help              print this text\n"
     "\n"
@@ -87,7 +87,7 @@ static const po_option OPTIONS[] = {
     PO_FLAG("no-tilt", profile_line, scan.keeps_tilt),
     PO_NUMBER("end", profile_line, scan.end, 0.0, "a number > 0"),
     PO_TAKEN("side", profile_line, sides, take_side),
-    PO_TEXT("output", profile_line, output, "the name of a file"),
+    PO_OUTPUT(profile_line, output, "the name of a file"),
     PO_TAKEN("plot", profile_line, plot, po_plot_take_file),
     {0}};
 
@@ -151,10 +151,10 @@ static spaced_unit unit_of(const po_scan *s, int column) {
 }
 
 static void print_scan(const po_scan *s, FILE *to) {
-  const char *x = s->column[0].name;
+  const char *x = s->column[0].name, *z = s->column[1].name;
   const spaced_unit unit = unit_of(s, 0);
-  fprintf(to, "scan     %zu rows, %s from %.6g to %.6g%s, heights from column %s%s\n", s->rows, x,
-          s->x[0], s->x[s->rows - 1], unit.text, s->column[1].name,
+  fprintf(to, "scan     %zu rows, %s from %.6g to %.6g%s, heights from %s%s%s\n", s->rows, x,
+          s->x[0], s->x[s->rows - 1], unit.text, strncmp(z, "column ", 7) == 0 ? "" : "column ", z,
           s->is_equidistant ? ""
                             : "; the rows are not equidistant and are joined by straight lines");
   if (s->left_out)

@@ -21,7 +21,7 @@ typedef struct {
 } report_line;
 
 static const po_option OPTIONS[] = {PO_TEXT("run", report_line, run, "the name of a folder"),
-                                    PO_TEXT("output", report_line, output, "the name of a folder"),
+                                    PO_OUTPUT(report_line, output, "the name of a folder"),
                                     PO_FLAG("fresh", report_line, fresh),
                                     {0}};
 

@@ -83,12 +83,20 @@ def test_forms_give_one_table(tmp_path):
     forms = [write(tmp_path / "0.csv", x, z),
              write(tmp_path / "1.csv", x, z, "Position [µm];Höhe [nm]", ";", True, "utf-16", "Messung vom 3.4.2026\nGerät: X\n"),
              write(tmp_path / "2.csv", x[::-1], z[::-1], "x (um)\tz (nm)", "\t"),
-             write(tmp_path / "3.csv", x, low, "x/μm  depth/nm", "  ")]
+             write(tmp_path / "3.csv", x, low, "x/μm  depth/nm", "  "),
+             write(tmp_path / "4.txt", x, z, "  Profile 1\n  x          y\n  [µm]       [nm]", "    "),
+             write(tmp_path / "5.csv", x, z, "Länge (µm);Höhe (nm)", ";", True, "latin-1"),
+             write(tmp_path / "6.csv", x, z, "x;z;x;z\n(um);(nm);(um);(nm)", ";")]
+    lines = forms[-1].read_text().splitlines()  # two curves side by side, the second one shorter
+    forms[-1].write_text("\n".join(lines[:2] + [f"{row};{row if k < 50 else ';'}" for k, row in enumerate(lines[2:])]) + "\n")
     made = []
     for form in forms:
         expect(0, "", f"profile {form} --output {tmp_path / 't.csv'}")
         made.append(table(tmp_path / "t.csv"))
     assert all(other == made[0] for other in made[1:])
+    for bare in (write(tmp_path / "b.txt", x, z, "", " "), write(tmp_path / "c.txt", x, z, "Scan 12\nspeed 2 um/s\n", "\t")):
+        expect(0, "", f"profile {bare} --units um,nm --output {tmp_path / 't.csv'}")
+        assert table(tmp_path / "t.csv") == made[0]
     metres = write(tmp_path / "m.csv", x, [height * 1e-3 for height in z], "lateral,height")
     expect(0, "", f"profile {metres} --units um,um --output {tmp_path / 't.csv'}")
     names, rows = table(tmp_path / "t.csv")
@@ -137,10 +145,18 @@ def test_warnings(tmp_path):
 
 
 def test_units_in_a_line_of_their_own(tmp_path):
+    """Also in tables of profiles."""
     x, z, _ = scan(2)
     path = write(tmp_path / "s.csv", x, z, "µm;nm", ";", before="x;z\n")
     out = expect(0, "", f"profile {path} --output {tmp_path / 't.csv'}").out
-    assert "um" in out and table(tmp_path / "t.csv")[0] == ["r_um", "gap_nm"]
+    assert "x (um)" in out.replace("µ", "u") and table(tmp_path / "t.csv")[0] == ["r_um", "gap_nm"]
+    body = {"r_um,gap_nm": "name.csv", "r,gap\n[um],[nm]": "below.csv"}
+    scene = "--from-physical --modulus-pa 3e9 --work-j-per-m2 0.05 --distance-m 1e-9"
+    forces = []
+    for head, name in body.items():
+        path = write(tmp_path / name, [0.1 * k for k in range(60)], [0.2 * k * k for k in range(60)], head)
+        forces.append(expect(0, "", f"solve {scene} --profile-file {path} --json").json["physical"]["pull_off"]["force_n"])
+    assert forces[0] == forces[1]
 
 
 def test_force_of_mean_and_sides(tmp_path):

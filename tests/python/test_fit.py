@@ -85,7 +85,11 @@ def test_forms_of_tables(tmp_path):
     path = tmp_path / "d.csv"
     path.write_text("measured in air\nz_nm;in_nN;out_nN\n" + "".join(f"{a:.6f};{b:.8f};{c:.8f}\n".replace(".", ",") for a, b, c in zip(z, into, out)))
     three = fit.read_curve(path)
-    for other in (deflection, turned, three):
+    units = fit.read_curve(write(tmp_path / "e.txt", 1e-9 * z, 1e-9 * into, 1e-9 * out, "Curve 1\nz  force\n[m]  [N]", "{:.15f}  {:.17f}"))
+    bare = fit.read_curve(write(tmp_path / "f.txt", z, into, out, "", "{:.6f} {:.8f}"), units=["nm", "nN"])
+    path.write_bytes(("z (\u00b5m);Kraft (nN)\nR\u00fcckweg\n" + "".join(f"{a * 1e-3:.9f};{b:.8f}\n" for a, b in (*zip(z, into), *zip(z[::-1], out[::-1])))).encode("latin-1"))
+    latin = fit.read_curve(path)
+    for other in (deflection, turned, three, units, bare, latin):
         for way in ("into", "out"):
             for mine, its in zip(getattr(plain, way), getattr(other, way)):
                 assert np.allclose(mine, its, rtol=0, atol=2e-6)
@@ -115,7 +119,9 @@ def test_loop_of_the_program(tmp_path):
     (3, "expected a way in and a way out", "fit one_way.csv --radius-m 1e-8"),
     (3, "the way out ends in contact", "fit ends.csv --radius-m 1e-8"),
     (3, "expected two or three columns with units", "fit flat.csv --columns 1,9 --radius-m 1e-8"),
-    (3, "expected a line of names and at least 20 rows", "fit short.csv --radius-m 1e-8"),
+    (3, "expected at least 20 rows of 2 numbers", "fit short.csv --radius-m 1e-8"),
+    (3, "units is nm: expected one of m, mm, um", "fit flat.csv --columns 1,2 --units nm --radius-m 1e-8"),
+    (3, "units is nm,kg: expected one of m, mm, um", "fit flat.csv --units nm,kg --radius-m 1e-8"),
 ])
 def test_messages(tmp_path, code, message, words):
     z = np.linspace(0, 30, 60)

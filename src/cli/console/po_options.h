@@ -48,6 +48,10 @@ typedef struct {
   {.name = key, .kind = PO_OPTION_IS_FLAG, .place = PO_OPTION_PLACE(line, member, bool)}
 #define PO_TEXT(key, line, member, what) \
   {.name = key, .kind = PO_OPTION_IS_TEXT, .place = PO_OPTION_PLACE(line, member, const char *), .expected = what}
+/* Where results are written: --output and -o. */
+#define PO_OUTPUT(line, member, what) \
+  {.name = "output", .kind = PO_OPTION_IS_TEXT, .place = PO_OPTION_PLACE(line, member, const char *), \
+   .expected = what, .letter = 'o'}
 #define PO_NUMBER(key, line, member, above, what) \
   {.name = key, .kind = PO_OPTION_IS_NUMBER, .place = PO_OPTION_PLACE(line, member, double), .expected = what, \
    .least = above}

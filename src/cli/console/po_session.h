@@ -40,7 +40,7 @@ po_option_taker po_session_take_jobs, po_session_take_points, po_session_take_sh
 #define PO_SESSION_SOLVER_OPTIONS \
   {.name = "solver", .kind = PO_OPTION_IS_TAKEN, .take = po_session_take_solver}, \
   PO_TEXT("knob", po_session, knob, "a value of the knob"), \
-  PO_TEXT("output", po_session, options.output, "the name of a folder")
+  PO_OUTPUT(po_session, options.output, "the name of a folder")
 
 /* Of a verb that takes one case, and of one that takes all. */
 #define PO_SESSION_CASE_OPTIONS \

@@ -150,8 +150,9 @@ static po_status read_points(const po_csv *csv, const size_t column[2], po_scan 
   size_t count = 0;
   po_status status = PO_OK;
   for (size_t k = 0; k < csv->row_count && !status; ++k) {
-    status = po_csv_number(csv, k, column[0], &points[count].x);
-    if (!status && po_number_parse(po_csv_cell(csv, k, column[1]), &points[count].z) &&
+    const bool empty = !*po_csv_cell(csv, k, column[0]);
+    status = empty ? PO_OK : po_csv_number(csv, k, column[0], &points[count].x);
+    if (!status && !empty && po_number_parse(po_csv_cell(csv, k, column[1]), &points[count].z) &&
         isfinite(points[count].z))
       ++count;
   }
@@ -168,7 +169,7 @@ static po_status read_points(const po_csv *csv, const size_t column[2], po_scan 
 po_status po_scan_read_rows(const po_scan_request *request, po_scan *scan) {
   po_csv csv;
   size_t column[2];
-  po_status status = po_csv_read(request->path, request->path, &csv);
+  po_status status = po_csv_read_export(request->path, request->path, &csv);
   if (status)
     return status;
   status = find_columns(request, &csv, scan, column);
