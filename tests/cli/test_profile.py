@@ -4,6 +4,7 @@ refused, tables, SI units, and references that are of one profile only."""
 import math
 import pathlib
 import re
+import tarfile
 
 import pytest
 from conftest import ROOT, agree, document, expect, run
@@ -88,7 +89,8 @@ def test_tables_that_are_not_numbers():
     wrong.write_text("".join(f"{k},{k * k}\n" for k in range(20)))
     expect(4, "pulloff: wrong.csv:1: the column 1 is named 0: expected a line with the names of the columns before the rows",
            "solve --profile-file wrong.csv")
-    wrong.write_text((ROOT / "tests/fuzz/corpus/profile/falls_at_the_end").read_text().split("%%")[0])
+    with tarfile.open(ROOT / "tests/fuzz/corpus/profile.tar") as corpus:
+        wrong.write_bytes(corpus.extractfile("falls_at_the_end").read().split(b"%%")[0])
     expect(4, "pulloff: wrong.csv:26: the slope of the spline at the last r is 0: expected more than 0*", "solve --profile-file wrong.csv")
     for bad in "nan", "x":
         spoilt("1.0," + bad)

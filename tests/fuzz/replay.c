@@ -1,11 +1,9 @@
-/* Runs a fuzz target on the inputs of a corpus, with any compiler: replay FOLDER-OR-FILE... */
-#include <dirent.h>
+/* Runs a fuzz target on the inputs of a corpus, with any compiler: replay ARCHIVE.tar|FILE... */
 #include <limits.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -44,37 +42,47 @@ static void limit_time(int seconds) {
   setitimer(ITIMER_PROF, &limit, NULL);
 }
 
-static size_t replay_file(const char *path) {
-  char *bytes = NULL;
-  size_t size = 0;
-  snprintf(current, sizeof current, "%s", path);
-  fuzz_require(po_file_read(path, &bytes, &size) == PO_OK, "%s", po_message());
-  /* The buffer has the exact size of the input, so that a sanitizer detects a read beyond it. */
+/* The buffer has the exact size of the input, so that a sanitizer detects a read beyond it. */
+static void replay_input(const char *bytes, size_t size) {
   uint8_t *exact = malloc(size ? size : 1);
-  fuzz_require(exact != NULL, "no memory for %s", path);
+  fuzz_require(exact != NULL, "no memory for %s", current);
   memcpy(exact, bytes, size);
-  free(bytes);
   limit_time(TIME_LIMIT);
   LLVMFuzzerTestOneInput(exact, size);
   limit_time(0);
   free(exact);
-  return 1;
+}
+
+/* The files of a tar archive: blocks of 512 bytes, a header with the name at byte 0, the size in
+ * octal at 124 and the type at 156, then the content. */
+static size_t replay_archive(const char *path, const char *bytes, size_t size) {
+  enum { BLOCK = 512, SIZE_AT = 124, TYPE_AT = 156 };
+  size_t count = 0, at = 0;
+  while (at + BLOCK <= size && bytes[at]) {
+    const size_t length = strtoul(bytes + at + SIZE_AT, NULL, 8);
+    fuzz_require(length <= size - at - BLOCK, "%s is truncated", path);
+    if (bytes[at + TYPE_AT] == '0') {
+      snprintf(current, sizeof current, "%s of %s", bytes + at, path);
+      replay_input(bytes + at + BLOCK, length);
+      ++count;
+    }
+    at += BLOCK + (length + BLOCK - 1) / BLOCK * BLOCK;
+  }
+  fuzz_require(at + BLOCK <= size, "%s is truncated", path);
+  return count;
 }
 
 static size_t replay_path(const char *path) {
-  struct stat found;
-  struct dirent **entries = NULL;
-  fuzz_require(stat(path, &found) == 0, "%s is not there", path);
-  if (!S_ISDIR(found.st_mode))
-    return replay_file(path);
-  const int names = scandir(path, &entries, NULL, alphasort);
-  size_t count = 0;
-  for (int i = 0; i < names; ++i) {
-    if (entries[i]->d_name[0] != '.')
-      count += replay_file(po_path_join(path, entries[i]->d_name).text);
-    free(entries[i]);
-  }
-  free(entries);
+  const size_t length = strlen(path);
+  char *bytes = NULL;
+  size_t size = 0, count = 1;
+  snprintf(current, sizeof current, "%s", path);
+  fuzz_require(po_file_read(path, &bytes, &size) == PO_OK, "%s", po_message());
+  if (length > 4 && !strcmp(path + length - 4, ".tar"))
+    count = replay_archive(path, bytes, size);
+  else
+    replay_input(bytes, size);
+  free(bytes);
   return count;
 }
 
