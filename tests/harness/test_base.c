@@ -41,23 +41,21 @@ static const struct {
                {1e22, "1e+22"},
                {-0.0, "-0"}};
 
-START_TEST(number_prints_short_and_exact) {
+TABLE_TEST(number_prints_short_and_exact, PRINTED) {
   char text[PO_NUMBER_LENGTH];
   po_number_print(PRINTED[_i].value, text);
   ck_assert(strtod(text, NULL) == PRINTED[_i].value);
   if (_i != 1) /* 1/3 needs 16 digits */
     ck_assert_str_eq(text, PRINTED[_i].text);
 }
-END_TEST
 
-START_TEST(number_prints_what_is_not_finite) {
+TEST(number_prints_what_is_not_finite) {
   char text[PO_NUMBER_LENGTH];
   po_number_print(-(double)INFINITY, text);
   ck_assert_str_eq(text, "-inf");
   po_number_print(-(double)NAN, text);
   ck_assert_str_eq(text, "nan");
 }
-END_TEST
 
 static const struct {
   const char *text;
@@ -70,14 +68,13 @@ static const struct {
     {"0x10", false, 0},     {"1,5", false, 0},      {"1e999", false, 0},    {"1e-999", false, 0},
     {"--1", false, 0},      {"1.2.3", false, 0},    {"infinity", false, 0}, {"1f", false, 0}};
 
-START_TEST(number_parses_strictly) {
+TABLE_TEST(number_parses_strictly, PARSED) {
   double value = -77;
   ck_assert_int_eq(po_number_parse(PARSED[_i].text, &value), PARSED[_i].taken);
   ck_assert_double_eq(value, PARSED[_i].taken ? PARSED[_i].value : -77);
 }
-END_TEST
 
-START_TEST(number_takes_infinity_where_allowed) {
+TEST(number_takes_infinity_where_allowed) {
   double value = 0;
   ck_assert(po_key_parse(PO_KEY_OUTER_RADIUS, "inf", &value) && isinf(value));
   ck_assert(!po_key_parse(PO_KEY_OUTER_RADIUS, "-inf", &value));
@@ -88,19 +85,17 @@ START_TEST(number_takes_infinity_where_allowed) {
   ck_assert(!po_number_parse_count("-5", &count) && !po_number_parse_count("+5", &count));
   ck_assert(!po_number_parse_count("99999999999999999999", &count));
 }
-END_TEST
 
 /* FIPS 180-4 examples. */
-START_TEST(digest_is_sha256) {
+TEST(digest_is_sha256) {
   char digest[PO_DIGEST_LENGTH];
   po_digest_bytes("abc", 3, digest);
   ck_assert_str_eq(digest, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   po_digest_bytes("", 0, digest);
   ck_assert_str_eq(digest, "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
-END_TEST
 
-START_TEST(text_grows) {
+TEST(text_grows) {
   po_text text = {0};
   ck_assert_str_eq(po_text_string(&text), "");
   for (int i = 0; i < 1000; ++i)
@@ -110,9 +105,8 @@ START_TEST(text_grows) {
   ck_assert_str_eq(text.data + 3996, "999,end");
   po_text_clear(&text);
 }
-END_TEST
 
-START_TEST(words_are_quoted_for_a_shell) {
+TEST(words_are_quoted_for_a_shell) {
   static const char *const WORDS[][2] = {{"my/tip-1.5_a.yaml", "my/tip-1.5_a.yaml"},
                                          {"", "''"},
                                          {"my tip", "'my tip'"},
@@ -131,9 +125,8 @@ START_TEST(words_are_quoted_for_a_shell) {
     po_text_clear(&text);
   }
 }
-END_TEST
 
-START_TEST(file_is_written_whole_or_not_at_all) {
+TEST(file_is_written_whole_or_not_at_all) {
   char *data = NULL;
   size_t size = 0;
   ck_assert_int_eq(po_file_write(path, "first", 5), PO_OK);
@@ -156,14 +149,13 @@ START_TEST(file_is_written_whole_or_not_at_all) {
   ck_assert_int_eq(po_folder_make(path), PO_CANNOT_WRITE);
   ck_assert_int_eq(po_folder_make(folder), PO_OK);
 }
-END_TEST
 
 static po_status read_text(const char *text, po_csv *csv) {
   ck_assert_int_eq(po_file_write(path, text, strlen(text)), PO_OK);
   return po_csv_read(path, "t.csv", csv);
 }
 
-START_TEST(csv_reads_headers_columns_rows) {
+TEST(csv_reads_headers_columns_rows) {
   po_csv csv;
   double value = 0;
   ck_assert_int_eq(read_text("# what: a: b\n#units:\na,b\n1,2\n2.385,-4e3\n", &csv), PO_OK);
@@ -190,9 +182,8 @@ START_TEST(csv_reads_headers_columns_rows) {
   ck_assert_str_ne(csv.digest, digest);
   po_csv_clear(&csv);
 }
-END_TEST
 
-START_TEST(csv_is_sealed) {
+TEST(csv_is_sealed) {
   po_text header = {0}, rows = {0}, file = {0};
   char digest[PO_DIGEST_LENGTH];
   po_text_add(&header, "# what: sealed\n");
@@ -207,7 +198,6 @@ START_TEST(csv_is_sealed) {
   po_text_clear(&rows);
   po_text_clear(&file);
 }
-END_TEST
 
 /* Tables as spreadsheets write them: a byte order mark, quotes, blanks, CR LF, blank lines. Such
  * tables used to be refused by messages that asked for the columns that are there. */
@@ -220,7 +210,7 @@ static const char *const SPREADSHEET[] = {
     "# x: 1\r\r\r\nr,gap\r\r\n2.385,-1\r\r\n", /* of two conversions */
 };
 
-START_TEST(csv_reads_what_spreadsheets_write) {
+TABLE_TEST(csv_reads_what_spreadsheets_write, SPREADSHEET) {
   po_csv csv;
   ck_assert_int_eq(read_text(SPREADSHEET[_i], &csv), PO_OK);
   ck_assert_int_eq(po_csv_find_column(&csv, "r"), 0);
@@ -232,16 +222,14 @@ START_TEST(csv_reads_what_spreadsheets_write) {
   ck_assert(po_csv_number(&csv, 0, 1, &value) == PO_OK && value == -1);
   po_csv_clear(&csv);
 }
-END_TEST
 
-START_TEST(csv_quoted_cells_contain_commas_and_quotes) {
+TEST(csv_quoted_cells_contain_commas_and_quotes) {
   po_csv csv;
   ck_assert_int_eq(read_text("name,\"a, b\"\n\"say \"\"so\"\", twice\",1\n", &csv), PO_OK);
   ck_assert_str_eq(csv.columns[1], "a, b");
   ck_assert_str_eq(po_csv_cell(&csv, 0, 0), "say \"so\", twice");
   po_csv_clear(&csv);
 }
-END_TEST
 
 static const struct {
   const char *text;
@@ -268,16 +256,15 @@ static const struct {
     {"# x: 1\n# x: 2\na\n1\n", "t.csv:2: the header x is given twice"},
 };
 
-START_TEST(csv_refuses_damage) {
+TABLE_TEST(csv_refuses_damage, DAMAGED) {
   po_csv csv;
   ck_assert_int_eq(read_text(DAMAGED[_i].text, &csv), PO_CANNOT_READ);
   ck_assert_str_eq(po_message(), DAMAGED[_i].message);
 }
-END_TEST
 
 /* Regression: each name was compared with all before it, and a header of 100,000 lines took
  * minutes, which the time limit of a test ends. */
-START_TEST(csv_finds_the_first_repeated_name_of_many) {
+TEST(csv_finds_the_first_repeated_name_of_many) {
   po_text text = {0};
   po_csv csv;
   for (int k = 0; k < 200000; ++k)
@@ -293,7 +280,6 @@ START_TEST(csv_finds_the_first_repeated_name_of_many) {
   ck_assert_str_eq(po_message(), "t.csv:1: the column c9 is given twice");
   po_text_clear(&text);
 }
-END_TEST
 
 static const struct {
   const char *text, *fault;
@@ -316,12 +302,11 @@ static const struct {
               {"", ""},
               {"nm", ""}};
 
-START_TEST(number_faults_are_named) {
+TABLE_TEST(number_faults_are_named, FAULTS) {
   ck_assert_str_eq(po_number_fault(FAULTS[_i].text), FAULTS[_i].fault);
 }
-END_TEST
 
-START_TEST(csv_rows_read_back_exactly) {
+TEST(csv_rows_read_back_exactly) {
   const double values[] = {0.1, 1.0 / 3.0, -2.385e-300};
   po_text text = {0};
   po_csv csv;
@@ -338,40 +323,13 @@ START_TEST(csv_rows_read_back_exactly) {
   po_csv_clear(&csv);
   po_text_clear(&text);
 }
-END_TEST
 
-#define COUNT(table) (int)(sizeof(table) / sizeof *(table))
-
-START_TEST(the_place_of_a_number_among_others) {
+TEST(the_place_of_a_number_among_others) {
   static const double NUMBERS[] = {0.0, 1.0, 1.0, 2.5}, AT[] = {-1, 0, 0.5, 1, 2.4, 2.5, 9};
   static const size_t EXPECTED[] = {0, 0, 0, 2, 2, 3, 3};
   for (size_t k = 0; k < sizeof AT / sizeof *AT; ++k)
     ck_assert_uint_eq(po_order_last_up_to(NUMBERS, 4, AT[k]), EXPECTED[k]);
   ck_assert_uint_eq(po_order_last_up_to(NUMBERS, 1, 3.0), 0);
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_checked_fixture(tests, make_folder, remove_folder);
-  tcase_add_loop_test(tests, number_prints_short_and_exact, 0, COUNT(PRINTED));
-  tcase_add_test(tests, number_prints_what_is_not_finite);
-  tcase_add_loop_test(tests, number_parses_strictly, 0, COUNT(PARSED));
-  tcase_add_loop_test(tests, number_faults_are_named, 0, COUNT(FAULTS));
-  tcase_add_test(tests, csv_finds_the_first_repeated_name_of_many);
-  tcase_add_test(tests, number_takes_infinity_where_allowed);
-  tcase_add_test(tests, digest_is_sha256);
-  tcase_add_test(tests, the_place_of_a_number_among_others);
-  tcase_add_test(tests, text_grows);
-  tcase_add_test(tests, words_are_quoted_for_a_shell);
-  tcase_add_test(tests, file_is_written_whole_or_not_at_all);
-  tcase_add_test(tests, csv_reads_headers_columns_rows);
-  tcase_add_test(tests, csv_is_sealed);
-  tcase_add_loop_test(tests, csv_reads_what_spreadsheets_write, 0, COUNT(SPREADSHEET));
-  tcase_add_test(tests, csv_quoted_cells_contain_commas_and_quotes);
-  tcase_add_loop_test(tests, csv_refuses_damage, 0, COUNT(DAMAGED));
-  tcase_add_test(tests, csv_rows_read_back_exactly);
-}
-
-int main(void) {
-  return run_case("base", add);
-}
+FIXTURE(make_folder, remove_folder)

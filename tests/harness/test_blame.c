@@ -30,7 +30,7 @@ static const struct {
     {1.5, NONE, NONE, 1.5002, 1.5002, PIN, "none", ""},
 };
 
-START_TEST(the_side_at_fault) {
+TABLE_TEST(the_side_at_fault, SIDES) {
   const double expected[] = {SIDES[_i].oracle, SIDES[_i].other, SIDES[_i].paper, SIDES[_i].pin};
   size_t asked = 0;
   for (int which = 0; which < WORK; ++which) {
@@ -47,7 +47,6 @@ START_TEST(the_side_at_fault) {
   ck_assert_str_eq(blame.side, SIDES[_i].side);
   ck_assert_msg(strstr(blame.why, SIDES[_i].why) != NULL, "%s", blame.why);
 }
-END_TEST
 
 /* The pins of an external solver: the solver changed, not this program. */
 static const struct {
@@ -59,7 +58,7 @@ static const struct {
     {1.5026, 1.5020, "pin", "the solver changed and the error decreased: bless it"},
 };
 
-START_TEST(the_solver_at_fault) {
+TABLE_TEST(the_solver_at_fault, PINS_OF_SOLVER) {
   const po_solver solver = {.name = (char *)"mine"};
   made_plan.solver = &solver;
   if (!isnan(PINS_OF_SOLVER[_i].oracle))
@@ -71,7 +70,6 @@ START_TEST(the_solver_at_fault) {
   ck_assert_str_eq(blame.side, PINS_OF_SOLVER[_i].side);
   ck_assert_msg(strstr(blame.why, PINS_OF_SOLVER[_i].why) != NULL, "%s", blame.why);
 }
-END_TEST
 
 /* The pin passes and the oracle fails; `checked` is the header of the pins about that oracle. */
 static const struct {
@@ -82,7 +80,7 @@ static const struct {
     {"reference/seer.csv sha256 0123", "program", "was not among the oracles"},
 };
 
-START_TEST(wrong_and_frozen) {
+TABLE_TEST(wrong_and_frozen, FROZEN) {
   po_csv_header header = {.key = (char *)"checked 1", .value = (char *)FROZEN[_i].checked};
   made_references[PIN].table = (po_csv){.headers = &header, .header_count = 1};
   made_references[WORK].table = made_references[PIN].table;
@@ -96,10 +94,9 @@ START_TEST(wrong_and_frozen) {
   ck_assert_str_eq(blame.side, FROZEN[_i].side);
   ck_assert_msg(strstr(blame.why, FROZEN[_i].why) != NULL, "%s", blame.why);
 }
-END_TEST
 
 /* A curve has no pin; the pins of the special points of the same point are used instead. */
-START_TEST(the_pins_of_a_point_are_used_for_its_curve) {
+TEST(the_pins_of_a_point_are_used_for_its_curve) {
   const size_t curve = found(ORACLE, 0, "curve", "", 0.01, 0, 1e-10);
   found(PIN, 0, "fold_load", "jump_in-1/load", -0.7, -0.6999, 0);
   po_judge(&made_run.check_results);
@@ -108,7 +105,6 @@ START_TEST(the_pins_of_a_point_are_used_for_its_curve) {
   ck_assert_str_eq(blame.side, "program");
   ck_assert_ptr_nonnull(strstr(blame.why, "not the blessed value either"));
 }
-END_TEST
 
 static po_special_point FOLDS[] = {
     {.kind = PO_JUMP_IN, .approach = -1.6, .load = -0.7, .position = 4.1},
@@ -132,7 +128,7 @@ static const struct {
     {0.1, -0.5, "after minimum-1"},
 };
 
-START_TEST(a_place_between_special_points) {
+TABLE_TEST(a_place_between_special_points, PLACES) {
   const po_result result = {.folds = FOLDS,
                             .fold_count = 2,
                             .extrema = EXTREMA,
@@ -143,9 +139,8 @@ START_TEST(a_place_between_special_points) {
   po_place_describe(&result, PLACES[_i].approach, PLACES[_i].load, words);
   ck_assert_str_eq(words, PLACES[_i].words);
 }
-END_TEST
 
-START_TEST(a_point_is_meant_by_number_or_words) {
+TEST(a_point_is_meant_by_number_or_words) {
   const po_point point = {.id = "3", .label = (char *)"scheme=ring tabor=2.385"};
   ck_assert(po_explain_means(&point, "3"));
   ck_assert(po_explain_means(&point, "tabor=2.385"));
@@ -155,20 +150,5 @@ START_TEST(a_point_is_meant_by_number_or_words) {
   ck_assert(!po_explain_means(&point, "33"));
   ck_assert(!po_explain_means(&point, ""));
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_checked_fixture(tests, make_run, clear_run);
-  tcase_add_loop_test(tests, the_side_at_fault, 0, (int)(sizeof SIDES / sizeof *SIDES));
-  tcase_add_loop_test(tests, the_solver_at_fault, 0,
-                      (int)(sizeof PINS_OF_SOLVER / sizeof *PINS_OF_SOLVER));
-  tcase_add_loop_test(tests, wrong_and_frozen, 0, (int)(sizeof FROZEN / sizeof *FROZEN));
-  tcase_add_test(tests, the_pins_of_a_point_are_used_for_its_curve);
-  tcase_add_loop_test(tests, a_place_between_special_points, 0,
-                      (int)(sizeof PLACES / sizeof *PLACES));
-  tcase_add_test(tests, a_point_is_meant_by_number_or_words);
-}
-
-int main(void) {
-  return run_case("blame", add);
-}
+FIXTURE(make_run, clear_run)

@@ -19,7 +19,7 @@ static const struct {
     {"4", "ulp", 2.0 + 4e-15, PO_OUTSIDE},
 };
 
-START_TEST(force_within_and_outside) {
+TABLE_TEST(force_within_and_outside, FORCES) {
   load("pull_off_force", "bradley", FORCES[_i].tolerance, FORCES[_i].kind);
   const po_result result = {.has_pull_off = true, .pull_off = {.force = FORCES[_i].force}};
   compare(0, &result);
@@ -28,7 +28,6 @@ START_TEST(force_within_and_outside) {
   ck_assert_double_eq(check_results.items[0].expected, 2);
   ck_assert_str_eq(check_results.items[0].id, "pull_off_force/bradley/tabor=1");
 }
-END_TEST
 
 /* The contact radius by the closed form of the rigid sphere, from its own column, and from a column
  * in units of sqrt(R eps). */
@@ -44,7 +43,7 @@ static const struct {
      13.5, 1e-6},
 };
 
-START_TEST(contact_radius_of_the_pull_off) {
+TABLE_TEST(contact_radius_of_the_pull_off, RADII) {
   if (RADII[_i].rows)
     write_table("", RADII[_i].rows);
   load("contact_radius", RADII[_i].reference, "1e-3", "abs");
@@ -57,7 +56,6 @@ START_TEST(contact_radius_of_the_pull_off) {
   ck_assert_double_eq_tol(check_results.items[0].error, 2e-3, 1e-12);
   ck_assert_int_eq(check_results.items[0].verdict, PO_OUTSIDE);
 }
-END_TEST
 
 /* A row by its name, whatever the scene; its note has the correct digits. */
 static const struct {
@@ -69,7 +67,7 @@ static const struct {
                   {1.0, PO_OUTSIDE, "0.3 of 9 digits"},
                   {5.0, PO_OUTSIDE, "0.0 of 9 digits"}};
 
-START_TEST(row_by_its_name) {
+TABLE_TEST(row_by_its_name, ROW_FORCES) {
   write_table("", "problem,quantity,value,digits,half_width\n"
                   "hard-0.1,force,3,9,1e-9\neasy,force,2,9,1e-9\neasy,radius,4,9,1e-9\n");
   load("pull_off_force", "\"table.csv#easy:force\"", "1e-3", "abs");
@@ -82,9 +80,8 @@ START_TEST(row_by_its_name) {
   ck_assert_str_eq(check_results.items[0].note, ROW_FORCES[_i].note);
   ck_assert_str_eq(check_results.items[0].id, "pull_off_force/easy:force/tabor=1");
 }
-END_TEST
 
-START_TEST(failed_solve_has_no_result) {
+TEST(failed_solve_has_no_result) {
   load("pull_off_force", "bradley", "1", "abs");
   const po_result result = {.status = PO_STEP_TOO_SMALL,
                             .reason = "stuck",
@@ -94,7 +91,6 @@ START_TEST(failed_solve_has_no_result) {
   ck_assert_int_eq(check_results.items[0].verdict, PO_NO_RESULT);
   ck_assert_str_eq(check_results.items[0].note, "stuck");
 }
-END_TEST
 
 /* The first number that is compared is -1.6, with an uncertainty of 1e-9. */
 static const struct {
@@ -105,7 +101,7 @@ static const struct {
     {"100", "ulp", "100 ulp, which allows 2.22044604925031e-14"},
 };
 
-START_TEST(tolerance_tighter_than_the_reference) {
+TABLE_TEST(tolerance_tighter_than_the_reference, TIGHT) {
   load("folds", "table.csv", TIGHT[_i].tolerance, TIGHT[_i].kind);
   char message[200];
   snprintf(message, sizeof message,
@@ -120,11 +116,10 @@ START_TEST(tolerance_tighter_than_the_reference) {
   ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference), PO_OK);
   kase->point_count = count;
 }
-END_TEST
 
 /* The note states why the reverse trace has no result: it was not made, it failed, or it found
  * other folds. */
-START_TEST(reverse_trace_without_a_number) {
+TEST(reverse_trace_without_a_number) {
   load("reverse_trace", "zero", "1e-3", "abs");
   po_result result = {.has_pull_off = true, .fold_count = 2, .extremum_count = 3};
   po_reverse_trace *w = &result.diagnostics.reverse_trace;
@@ -147,7 +142,6 @@ START_TEST(reverse_trace_without_a_number) {
   for (size_t i = 0; i < 3; ++i)
     ck_assert_int_eq(check_results.items[i].verdict, PO_NO_RESULT);
 }
-END_TEST
 
 /* The note of a number that the solve does not have states why; only curves have a range. */
 static const struct {
@@ -161,7 +155,7 @@ static const struct {
     {"residual", 1e-9, "the solve has no value of this quantity"},
 };
 
-START_TEST(diagnostics_without_a_number) {
+TABLE_TEST(diagnostics_without_a_number, WITHOUT) {
   load(WITHOUT[_i].quantity, "zero", "1e-3", "abs");
   po_result result = {.has_pull_off = true, .pull_off.force_error = WITHOUT[_i].force_error};
   result.diagnostics.moved.excess = result.diagnostics.residual = (double)NAN;
@@ -169,11 +163,10 @@ START_TEST(diagnostics_without_a_number) {
   ck_assert_int_eq(check_results.items[0].verdict, PO_NO_RESULT);
   ck_assert_str_eq(check_results.items[0].note, WITHOUT[_i].note);
 }
-END_TEST
 
 /* The load of the closed form has a rounding error: 3.5e-15 at approach 0.2, 2e-17 at large
  * separation. */
-START_TEST(tolerance_tighter_than_rounding) {
+LOOP_TEST(tolerance_tighter_than_rounding, 0, 3) {
   static const struct {
     const char *tolerance;
     po_status status;
@@ -182,9 +175,8 @@ START_TEST(tolerance_tighter_than_rounding) {
   ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference),
                    KNOWN[_i].status);
 }
-END_TEST
 
-START_TEST(curve_of_the_closed_form) {
+TEST(curve_of_the_closed_form) {
   load("curve", "bradley", "1e-5", "abs");
   enum { N = 500 };
   po_curve_point curve[N];
@@ -206,7 +198,6 @@ START_TEST(curve_of_the_closed_form) {
   ck_assert_int_eq(check_results.items[1].verdict, PO_OUTSIDE);
   ck_assert_double_eq_tol(check_results.items[1].error, 1e-4, 3e-6);
 }
-END_TEST
 
 static const struct {
   const char *tolerance;
@@ -224,7 +215,7 @@ static const struct {
     {"0.6", PO_OK, PO_OUT_OF_TIME, "", 0.5, PO_OUTSIDE, "1 of 1 failure has no reason"},
 };
 
-START_TEST(share_of_the_scenes_solved) {
+TABLE_TEST(share_of_the_scenes_solved, SHARES) {
   load("solved_share", "every_scene", SHARES[_i].tolerance, "abs");
   po_point_run points[2] = {
       {.result = {.status = SHARES[_i].first, .reason = "late"}, .asked = true},
@@ -241,25 +232,5 @@ START_TEST(share_of_the_scenes_solved) {
   ck_assert_str_eq(check_results.items[0].id, "solved_share/every_scene");
   ck_assert(check_results.items[0].whole);
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_checked_fixture(tests, setup, teardown);
-  tcase_add_loop_test(tests, force_within_and_outside, 0, (int)(sizeof FORCES / sizeof *FORCES));
-  tcase_add_loop_test(tests, contact_radius_of_the_pull_off, 0,
-                      (int)(sizeof RADII / sizeof *RADII));
-  tcase_add_loop_test(tests, row_by_its_name, 0, (int)(sizeof ROW_FORCES / sizeof *ROW_FORCES));
-  tcase_add_test(tests, failed_solve_has_no_result);
-  tcase_add_loop_test(tests, tolerance_tighter_than_the_reference, 0,
-                      (int)(sizeof TIGHT / sizeof *TIGHT));
-  tcase_add_test(tests, reverse_trace_without_a_number);
-  tcase_add_loop_test(tests, diagnostics_without_a_number, 0,
-                      (int)(sizeof WITHOUT / sizeof *WITHOUT));
-  tcase_add_loop_test(tests, tolerance_tighter_than_rounding, 0, 3);
-  tcase_add_test(tests, curve_of_the_closed_form);
-  tcase_add_loop_test(tests, share_of_the_scenes_solved, 0, (int)(sizeof SHARES / sizeof *SHARES));
-}
-
-int main(void) {
-  return run_case("compare", add);
-}
+FIXTURE(setup, teardown)

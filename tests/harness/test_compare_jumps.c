@@ -25,7 +25,7 @@ static po_jump JUMPS[] = {
     {true, {.approach = -1.6, .load = -0.7}, {.approach = -1.6, .load = -1.1}, 0.3117},
     {false, {.approach = -1.7, .load = -1.0}, {.approach = -1.7, .load = -0.2}, 0.23}};
 
-START_TEST(jumps_one_by_one) {
+TEST(jumps_one_by_one) {
   write_table("", JUMP_ROWS);
   load("jumps", "table.csv", "1e-3", "abs");
   kase->points[0].request.preload.approach = 0.7;
@@ -41,9 +41,8 @@ START_TEST(jumps_one_by_one) {
   ck_assert_str_eq(check_results.items[7].id, "jumps/table/tabor=1/unloading-1/load_after");
   ck_assert_double_eq(check_results.items[7].obtained, -0.2);
 }
-END_TEST
 
-START_TEST(jumps_that_are_others) {
+TEST(jumps_that_are_others) {
   write_table("", JUMP_ROWS);
   load("jumps", "table.csv", "1e-3", "abs");
   const po_result one = loop_of(JUMPS, 1);
@@ -62,10 +61,9 @@ START_TEST(jumps_that_are_others) {
   compare(0, &failed);
   ck_assert_int_eq(check_results.items[3].verdict, PO_NO_RESULT);
 }
-END_TEST
 
 /* A table of jumps without the column phase is refused with its line. */
-START_TEST(jumps_of_no_phase) {
+TEST(jumps_of_no_phase) {
   write_table("", "tabor,preload,index,approach,load_before,load_after,energy_lost\n"
                   "1,0.7,1,-1.6,-0.7,-1.1,0.31\n");
   load("jumps", "table.csv", "1e-3", "abs");
@@ -76,7 +74,6 @@ START_TEST(jumps_of_no_phase) {
                    PO_CANNOT_READ);
   ck_assert_ptr_nonnull(strstr(po_message(), "the column phase is missing"));
 }
-END_TEST
 
 static const struct {
   const char *quantity;
@@ -85,7 +82,7 @@ static const struct {
              {"hysteresis_approach", -0.91, -0.9102},
              {"hysteresis_loss", 0.5417, 0.5413}};
 
-START_TEST(numbers_of_a_loop) {
+TABLE_TEST(numbers_of_a_loop, LOOPS) {
   write_table("", "tabor,preload,force,approach,energy_lost\n1,0.7,1.6704,-0.9102,0.5413\n");
   load(LOOPS[_i].quantity, "table.csv", "1e-3", "abs");
   kase->points[0].request.preload.approach = 0.7;
@@ -97,9 +94,8 @@ START_TEST(numbers_of_a_loop) {
   compare(0, &none);
   ck_assert_int_eq(check_results.items[1].verdict, PO_NO_RESULT);
 }
-END_TEST
 
-START_TEST(tolerance_tighter_than_a_jump) {
+TEST(tolerance_tighter_than_a_jump) {
   write_table("", JUMP_ROWS);
   load("jumps", "table.csv", "1e-4", "abs");
   kase->points[0].request.preload.approach = 0.7;
@@ -107,17 +103,5 @@ START_TEST(tolerance_tighter_than_a_jump) {
                    PO_BAD_INPUT);
   ck_assert_ptr_nonnull(strstr(po_message(), "expected at least 0.0002, the uncertainty"));
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_checked_fixture(tests, setup, teardown);
-  tcase_add_test(tests, jumps_one_by_one);
-  tcase_add_test(tests, jumps_that_are_others);
-  tcase_add_test(tests, jumps_of_no_phase);
-  tcase_add_loop_test(tests, numbers_of_a_loop, 0, (int)(sizeof LOOPS / sizeof *LOOPS));
-  tcase_add_test(tests, tolerance_tighter_than_a_jump);
-}
-
-int main(void) {
-  return run_case("compare_jumps", add);
-}
+FIXTURE(setup, teardown)

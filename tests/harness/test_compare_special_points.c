@@ -19,7 +19,7 @@ static const char COMPLETE_ROWS[] = "tabor,complete_to,index,kind,approach,load,
 static po_special_point FOLDS[] = {{.kind = PO_JUMP_IN, .approach = -1.6001, .load = -0.7},
                                    {.kind = PO_JUMP_OUT, .approach = -1.7, .load = -1.0}};
 
-START_TEST(folds_one_by_one) {
+TEST(folds_one_by_one) {
   load("folds", "table.csv", "1e-3", "abs");
   const po_result result = {.start = -10, .ended.approach = 2, .folds = FOLDS, .fold_count = 2};
   compare(0, &result);
@@ -32,9 +32,8 @@ START_TEST(folds_one_by_one) {
   ck_assert_str_eq(check_results.items[4].id, "folds/table/tabor=1/jump_out-2/load");
   ck_assert_int_eq(check_results.items[4].ledger, PO_LEDGER_PUBLISHED);
 }
-END_TEST
 
-START_TEST(missing_and_spurious_special_points_are_named) {
+TEST(missing_and_spurious_special_points_are_named) {
   load("folds", "table.csv", "1e-3", "abs");
   const po_result none = {.start = -10, .ended.approach = 2};
   compare(0, &none);
@@ -47,9 +46,8 @@ START_TEST(missing_and_spurious_special_points_are_named) {
   ck_assert_str_eq(check_results.items[1].note,
                    "spurious jump_in near approach 0.5, load 1 (3 found, reference 2)");
 }
-END_TEST
 
-START_TEST(special_points_beyond_the_trace_are_not_asked_for) {
+TEST(special_points_beyond_the_trace_are_not_asked_for) {
   load("extrema", "table.csv", "1e-3", "abs");
   po_special_point minimum = {.kind = PO_MINIMUM, .approach = -0.9, .load = -1.67};
   const po_result result = {
@@ -59,7 +57,6 @@ START_TEST(special_points_beyond_the_trace_are_not_asked_for) {
   for (size_t i = 0; i < 3; ++i)
     ck_assert_int_eq(check_results.items[i].verdict, PO_WITHIN);
 }
-END_TEST
 
 static po_special_point LATER_FOLDS[] = {
     {.kind = PO_JUMP_IN, .approach = -1.6, .load = -0.7},
@@ -72,7 +69,7 @@ static po_special_point LATER_FOLDS[] = {
 
 /* Folds a longer trace finds beyond the end of the reference's list are not compared; one before it
  * is spurious. */
-START_TEST(folds_beyond_the_end_of_the_list) {
+TEST(folds_beyond_the_end_of_the_list) {
   write_table("", COMPLETE_ROWS);
   load("folds", "table.csv", "1e-3", "abs");
   po_result result = {.start = -10, .ended.approach = 2, .folds = LATER_FOLDS, .fold_count = 4};
@@ -92,11 +89,10 @@ START_TEST(folds_beyond_the_end_of_the_list) {
   ck_assert_double_eq(check_results.items[5].obtained, 4);
   ck_assert_ptr_nonnull(strstr(check_results.items[5].note, "spurious jump_"));
 }
-END_TEST
 
 /* At least as many special points are compared as the reference has, even if they lie beyond the
  * end: the list may end with its last special point. */
-START_TEST(the_last_of_the_list_lies_beyond_its_end) {
+TEST(the_last_of_the_list_lies_beyond_its_end) {
   write_table("", COMPLETE_ROWS);
   load("folds", "table.csv", "1e-3", "abs");
   const po_result result = {
@@ -107,9 +103,8 @@ START_TEST(the_last_of_the_list_lies_beyond_its_end) {
   ck_assert_double_eq(check_results.items[0].obtained, 2); /* -1.7 is not beyond -1.65; 0.52 is */
   ck_assert_int_eq(check_results.items[0].verdict, PO_OUTSIDE);
 }
-END_TEST
 
-START_TEST(extrema_beyond_the_end_of_the_list) {
+TEST(extrema_beyond_the_end_of_the_list) {
   write_table("", COMPLETE_ROWS);
   load("extrema", "table.csv", "1e-3", "abs");
   po_special_point extrema[] = {{.kind = PO_MINIMUM, .approach = -0.9, .load = -1.67},
@@ -140,9 +135,8 @@ START_TEST(extrema_beyond_the_end_of_the_list) {
   ck_assert_str_eq(check_results.items[8].note,
                    "missing maximum near approach 0.31, load -0.2 (1 found, reference 2)");
 }
-END_TEST
 
-START_TEST(fold_count_up_to_the_end_of_the_list) {
+TEST(fold_count_up_to_the_end_of_the_list) {
   write_table("", COMPLETE_ROWS);
   load("fold_count", "table.csv", "0.5", "abs");
   po_result result = {.start = -10, .ended.approach = 2, .folds = LATER_FOLDS, .fold_count = 4};
@@ -155,20 +149,18 @@ START_TEST(fold_count_up_to_the_end_of_the_list) {
   compare(0, &result);
   ck_assert_int_eq(check_results.items[1].verdict, PO_OUTSIDE);
 }
-END_TEST
 
-START_TEST(a_scene_the_reference_does_not_know) {
+TEST(a_scene_the_reference_does_not_know) {
   load("folds", "table.csv", "1e-3", "abs");
   const po_result result = {.start = -10, .ended.approach = 2, .folds = FOLDS, .fold_count = 2};
   compare(1, &result);
   ck_assert_uint_eq(check_results.count, 1);
   ck_assert_int_eq(check_results.items[0].verdict, PO_MISSING_REFERENCE);
 }
-END_TEST
 
 /* A header with the name of a scene key applies to all rows: the table has no values for other
  * scenes. */
-START_TEST(a_scene_the_headers_exclude) {
+TEST(a_scene_the_headers_exclude) {
   write_table("# outer_radius: 100\n", ROWS);
   load("folds", "table.csv", "1e-3", "abs");
   const po_result result = {.start = -10, .ended.approach = 2, .folds = FOLDS, .fold_count = 2};
@@ -176,21 +168,5 @@ START_TEST(a_scene_the_headers_exclude) {
   ck_assert_uint_eq(check_results.count, 1);
   ck_assert_int_eq(check_results.items[0].verdict, PO_MISSING_REFERENCE);
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_checked_fixture(tests, setup, teardown);
-  tcase_add_test(tests, folds_one_by_one);
-  tcase_add_test(tests, missing_and_spurious_special_points_are_named);
-  tcase_add_test(tests, special_points_beyond_the_trace_are_not_asked_for);
-  tcase_add_test(tests, folds_beyond_the_end_of_the_list);
-  tcase_add_test(tests, the_last_of_the_list_lies_beyond_its_end);
-  tcase_add_test(tests, extrema_beyond_the_end_of_the_list);
-  tcase_add_test(tests, fold_count_up_to_the_end_of_the_list);
-  tcase_add_test(tests, a_scene_the_reference_does_not_know);
-  tcase_add_test(tests, a_scene_the_headers_exclude);
-}
-
-int main(void) {
-  return run_case("compare_special_points", add);
-}
+FIXTURE(setup, teardown)

@@ -49,7 +49,7 @@ static po_plane_curve with_rates(size_t count) {
   return (po_plane_curve){ours, count, true};
 }
 
-START_TEST(distance_from_a_circle) {
+TEST(distance_from_a_circle) {
   po_curve_point circle[41];
   for (int i = 0; i < 41; ++i)
     circle[i] = point_at(2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i));
@@ -62,10 +62,9 @@ START_TEST(distance_from_a_circle) {
     ck_assert_double_eq_tol(po_plane_foot(off, &stretch).distance, 0.015, 2e-6);
   }
 }
-END_TEST
 
 /* With rates, the error of a cubic along a circle is angle^4/384 of the radius. */
-START_TEST(distance_from_a_circle_with_rates) {
+TEST(distance_from_a_circle_with_rates) {
   po_curve_point circle[41];
   for (int i = 0; i < 41; ++i) {
     circle[i] = point_at(2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i));
@@ -85,10 +84,9 @@ START_TEST(distance_from_a_circle_with_rates) {
   ck_assert_double_gt(largest, 0.5 * error);
   ck_assert_double_eq(po_plane_uncertainty(&curve, 7), 0);
 }
-END_TEST
 
 /* Without rates, the uncertainty exceeds the error of the interpolation. */
-START_TEST(interpolation_error_is_below_its_uncertainty) {
+TEST(interpolation_error_is_below_its_uncertainty) {
   po_curve_point circle[41];
   double largest = 0, uncertainty = 0;
   for (int i = 0; i < 41; ++i)
@@ -104,9 +102,8 @@ START_TEST(interpolation_error_is_below_its_uncertainty) {
   }
   ck_assert_double_lt(uncertainty, 200 * largest);
 }
-END_TEST
 
-START_TEST(rates_make_a_sparse_curve_do) {
+TEST(rates_make_a_sparse_curve_do) {
   const size_t m = s_curve(theirs, 173, -1, 1, 0);
   s_curve(ours, 50, -1, 1, 0);
   const po_plane_curve a = with_rates(50);
@@ -116,9 +113,8 @@ START_TEST(rates_make_a_sparse_curve_do) {
   ours[23].load += 1e-4; /* seen beyond the uncertainty */
   ck_assert_double_gt(compare_curves(&a, m, 1e-5).distance, 2e-5);
 }
-END_TEST
 
-START_TEST(same_curve_other_points) {
+TEST(same_curve_other_points) {
   const size_t n = s_curve(ours, 400, -1, 1, 0), m = s_curve(theirs, 173, -1, 1, 0);
   const po_curve_verdict found = compare(n, m, 1e-3);
   ck_assert(found.same_folds);
@@ -126,9 +122,8 @@ START_TEST(same_curve_other_points) {
   ck_assert_double_lt(found.distance, 1e-4);
   ck_assert_str_eq(found.note, "");
 }
-END_TEST
 
-START_TEST(error_shrinks_with_the_points) {
+TEST(error_shrinks_with_the_points) {
   const size_t m = s_curve(theirs, 800, -1, 1, 0);
   s_curve(ours, 50, -1, 1, 0);
   po_plane_curve a = with_rates(50);
@@ -137,25 +132,22 @@ START_TEST(error_shrinks_with_the_points) {
   a = with_rates(100);
   ck_assert_double_gt(coarse / compare_curves(&a, m, 1).distance, 13.0); /* fourth order: 16 */
 }
-END_TEST
 
-START_TEST(shift_is_seen_as_its_normal_part) {
+TEST(shift_is_seen_as_its_normal_part) {
   const size_t n = s_curve(ours, 400, -1, 1, 1e-2), m = s_curve(theirs, 300, -1, 1, 0);
   const po_curve_verdict found = compare(n, m, 1e-3);
   ck_assert(found.same_folds);
   ck_assert_double_eq_tol(found.distance, 1e-2,
                           1e-4); /* where the curve stands upright: at folds */
 }
-END_TEST
 
-START_TEST(only_the_common_range_is_compared) {
+TEST(only_the_common_range_is_compared) {
   const size_t n = s_curve(ours, 400, -1, 1, 0), m = s_curve(theirs, 300, -1.3, 1.2, 0);
   const po_curve_verdict found = compare(n, m, 1e-3);
   ck_assert_double_lt(found.distance, 1e-4);
   ck_assert_uint_gt(found.left_out, 0);
   ck_assert_uint_eq(found.left_out + found.compared, m);
 }
-END_TEST
 
 /* approach = s + 2 sin 2s, load = s/5 - cos 2s: one pair of folds a wave, and every later stretch
  * crosses back below the approach the shorter curve ends at. */
@@ -168,7 +160,7 @@ static size_t wavy_curve(po_curve_point *points, size_t count, double to) {
   return count;
 }
 
-START_TEST(a_curve_may_go_on_over_more_waves) {
+TEST(a_curve_may_go_on_over_more_waves) {
   const size_t n = wavy_curve(ours, 900, 11), m = wavy_curve(theirs, 300, 3.8);
   ck_assert_double_lt(ours[440].approach, theirs[m - 1].approach); /* two folds later */
   const po_curve_verdict found = compare(n, m, 1e-3);
@@ -178,17 +170,15 @@ START_TEST(a_curve_may_go_on_over_more_waves) {
   ours[150].load += 0.1; /* still seen */
   ck_assert_double_gt(compare(n, m, 1e-3).distance, 0.01);
 }
-END_TEST
 
-START_TEST(nothing_in_common_is_nothing_compared) {
+TEST(nothing_in_common_is_nothing_compared) {
   const size_t n = s_curve(ours, 100, -1, 1, 0), m = s_curve(theirs, 100, -1, 1, 50);
   ck_assert_uint_eq(compare(n, m, 1e-3).compared, 0);
   ck_assert_uint_eq(compare(1, m, 1e-3).compared, 0);
 }
-END_TEST
 
 /* A branch that jumps at the fold of the true one. */
-START_TEST(missing_folds_are_named) {
+TEST(missing_folds_are_named) {
   size_t n = s_curve(ours, 200, -1, -0.34, 0);
   n += s_curve(ours + n, 200, 0.7, 1, 0);
   const po_curve_verdict found = compare(n, s_curve(theirs, 300, -1, 1, 0), 1e-3);
@@ -196,9 +186,8 @@ START_TEST(missing_folds_are_named) {
   ck_assert_ptr_nonnull(strstr(found.note, "missing fold near approach"));
   ck_assert_double_gt(found.distance, 0.05);
 }
-END_TEST
 
-START_TEST(spurious_folds_are_named) {
+TEST(spurious_folds_are_named) {
   const size_t n = s_curve(ours, 400, -1, 1, 0), m = s_curve(theirs, 400, -1, 1, 0);
   /* A hop of the contact edge: a small loop on the last stretch. */
   for (size_t i = 350; i < 358; ++i)
@@ -207,11 +196,10 @@ START_TEST(spurious_folds_are_named) {
   ck_assert(!found.same_folds);
   ck_assert_ptr_nonnull(strstr(found.note, "spurious fold near approach"));
 }
-END_TEST
 
 /* A branch that turns back at the first fold and then jumps to the last stretch. It has as many
  * folds as the true one, but its middle stretch coincides with the first. */
-START_TEST(another_branch_is_named) {
+TEST(another_branch_is_named) {
   size_t n = s_curve(ours, 200, -1, -1.0 / 3, 0);
   n += s_curve(ours + n, 200, -0.34, -0.65, 0);
   n += s_curve(ours + n, 200, 0.4, 1, 0);
@@ -220,7 +208,6 @@ START_TEST(another_branch_is_named) {
   ck_assert(found.distance > 1e-3);
   ck_assert_ptr_nonnull(strstr(found.note, "different branch near approach"));
 }
-END_TEST
 
 /* Regression: the solver put a point just behind a fold, and one element beyond the fold did not
  * reach as far as the point where the reference, less dense, was seen to turn: "different branch".
@@ -240,7 +227,7 @@ static size_t add_point(po_curve_point *points, size_t count, double s) {
   return count + 1;
 }
 
-START_TEST(points_close_to_a_fold_do_not_matter) {
+TABLE_TEST(points_close_to_a_fold_do_not_matter, BESIDE) {
   po_curve_point *dense = BESIDE[_i].reference_is_coarse ? ours : theirs;
   po_curve_point *coarse = BESIDE[_i].reference_is_coarse ? theirs : ours;
   size_t n = 0, m = 0;
@@ -259,10 +246,9 @@ START_TEST(points_close_to_a_fold_do_not_matter) {
   ck_assert_str_eq(found.note, "");
   ck_assert_double_lt(found.distance, 1e-4);
 }
-END_TEST
 
 /* Markers in no order, one beyond each end: their distance is reported, folds are not compared. */
-START_TEST(markers_need_no_order) {
+TEST(markers_need_no_order) {
   const size_t n = s_curve(ours, 400, -1, 1, 0);
   const double at[] = {0.31, -0.7, 0.9, -0.36, 0.02, -0.99};
   const size_t markers = sizeof at / sizeof *at;
@@ -294,11 +280,10 @@ START_TEST(markers_need_no_order) {
                    PO_OK);
   ck_assert_uint_eq(found.compared, 0);
 }
-END_TEST
 
 /* Products of such coordinates are infinite, and differences of these are NAN. The curves, which
  * differ by a tenth, must not pass. */
-START_TEST(numbers_too_large_to_compare_do_not_agree) {
+TEST(numbers_too_large_to_compare_do_not_agree) {
   const size_t n = s_curve(ours, 200, -1, 1, 0);
   for (size_t i = 0; i < n; ++i) {
     ours[i].approach *= 1e200;
@@ -312,29 +297,4 @@ START_TEST(numbers_too_large_to_compare_do_not_agree) {
       po_curve_compare(&curve, &(po_plane_curve){.points = theirs, .count = n}, false, 1, &found),
       PO_OK);
   ck_assert_double_gt(found.distance, 1e198);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, distance_from_a_circle);
-  tcase_add_test(tests, distance_from_a_circle_with_rates);
-  tcase_add_test(tests, interpolation_error_is_below_its_uncertainty);
-  tcase_add_test(tests, rates_make_a_sparse_curve_do);
-  tcase_add_test(tests, same_curve_other_points);
-  tcase_add_test(tests, error_shrinks_with_the_points);
-  tcase_add_test(tests, shift_is_seen_as_its_normal_part);
-  tcase_add_test(tests, only_the_common_range_is_compared);
-  tcase_add_test(tests, a_curve_may_go_on_over_more_waves);
-  tcase_add_test(tests, nothing_in_common_is_nothing_compared);
-  tcase_add_test(tests, missing_folds_are_named);
-  tcase_add_test(tests, spurious_folds_are_named);
-  tcase_add_test(tests, another_branch_is_named);
-  tcase_add_loop_test(tests, points_close_to_a_fold_do_not_matter, 0,
-                      (int)(sizeof BESIDE / sizeof *BESIDE));
-  tcase_add_test(tests, markers_need_no_order);
-  tcase_add_test(tests, numbers_too_large_to_compare_do_not_agree);
-}
-
-int main(void) {
-  return run_case("curve", add);
 }

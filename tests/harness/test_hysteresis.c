@@ -23,7 +23,7 @@ static double jkr_energy(double tabor, double a) {
 /* The smooth sphere by JKR: it jumps in at first touch to the radius of approach 0, (2 pi)^(1/3),
  * and out where the approach is least, at (pi/8)^(1/3), at -1.60877204783 mu under 5/6 of pi w R;
  * under a load it comes together to the radius of no load, (9 pi/2)^(1/3), and parts at 3/2. */
-START_TEST(jkr_in_closed_form) {
+LOOP_TEST(jkr_in_closed_form, 0, 2) {
   const double tabor = 2.385;
   po_scene scene = {tabor, 0.0, 0.0, 83.0, INFINITY};
   if (_i) /* the same sphere as a power */
@@ -49,7 +49,6 @@ START_TEST(jkr_in_closed_form) {
   ck_assert(isnan(l->jumps[1].energy_lost) && isnan(l->energy_lost));
   po_hysteresis_clear(&h);
 }
-END_TEST
 
 /* The position of the base of a spring at a contact radius of the JKR sphere. */
 static double base_of(const po_scene *scene, double stiffness, double a) {
@@ -59,7 +58,7 @@ static double base_of(const po_scene *scene, double stiffness, double a) {
 
 /* The JKR sphere through a spring: it jumps in at first touch, where the base is at 0, and out
  * where the position of the base is least, which is found here by halving an interval about it. */
-START_TEST(spring_in_closed_form) {
+LOOP_TEST(spring_in_closed_form, 0, 4) {
   static const double STIFFNESS[] = {0.03, 0.3, 3.0, 300.0};
   const double stiffness = STIFFNESS[_i], tiny = 1e-4;
   po_scene scene = {2.385, 0.0, 0.0, 83.0, INFINITY};
@@ -90,12 +89,11 @@ START_TEST(spring_in_closed_form) {
   ck_assert_double_eq_tol(s->work, s->energy_lost, 1e-6 * s->work);
   po_hysteresis_clear(&h);
 }
-END_TEST
 
 /* The cone t r by JKR: at approach a it is g = (pi/2) t a. It jumps in at first touch to the radius
  * of approach 0, parts at given approach where g' = sqrt(pi c/(2a)), and pulls off at given load
  * under 54 c/(pi^2 t^3). */
-START_TEST(cone_in_closed_form) {
+TEST(cone_in_closed_form) {
   const double t = 0.3, coupling = 0.7, slope = M_PI_2 * t;
   po_scene scene = po_scene_default();
   scene.radius = 1.0;
@@ -115,10 +113,9 @@ START_TEST(cone_in_closed_form) {
   ck_assert_double_eq_tol(l->jumps[1].before.load, d->pull_off.load, 1e-9);
   po_hysteresis_clear(&h);
 }
-END_TEST
 
 /* A truncated sphere parts from its corner, at the radius of the flat, under either control. */
-START_TEST(truncated_sphere_parts_from_its_corner) {
+TEST(truncated_sphere_parts_from_its_corner) {
   po_scene scene = po_scene_default();
   scene.radius = 1.0;
   scene.tabor = po_scene_tabor_of_coupling(0.05, 1.0);
@@ -135,11 +132,10 @@ START_TEST(truncated_sphere_parts_from_its_corner) {
   ck_assert_double_eq_tol(d->work, d->energy_lost, 1e-6 * d->work);
   po_hysteresis_clear(&h);
 }
-END_TEST
 
 /* Two waves: the greatest step of both staircases is the lowest minimum of the curve; with a second
  * wave of no height the staircases are those of Eq 5. */
-START_TEST(staircases_of_two_waves) {
+LOOP_TEST(staircases_of_two_waves, 0, 2) {
   po_scene scene = po_scene_default();
   scene.tabor = 5.0;
   po_staircases one, two;
@@ -161,11 +157,10 @@ START_TEST(staircases_of_two_waves) {
   po_staircases_clear(&one);
   po_staircases_clear(&two);
 }
-END_TEST
 
 /* The deepest minimum of this scene is beyond the curve that is first computed: it ends at twice
  * the contact radius of the minimum, and loading gets there only from a greater one. */
-START_TEST(staircases_reach_the_lowest_minimum) {
+TEST(staircases_reach_the_lowest_minimum) {
   const po_scene scene = {3.27828, 1.86086, 44.143, 40.1129, INFINITY};
   po_staircases s;
   ck_assert_int_eq(po_jkr_staircases(&scene, NAN, &s), PO_OK);
@@ -176,11 +171,10 @@ START_TEST(staircases_reach_the_lowest_minimum) {
   }
   po_staircases_clear(&s);
 }
-END_TEST
 
 /* Every step and every cycle of the staircase through a spring is what one loop to just beyond it
  * gives, and differs from that at given approach. */
-START_TEST(staircase_through_a_spring) {
+TEST(staircase_through_a_spring) {
   const double stiffness = 0.3, beyond = 1e-3;
   po_scene scene = {3.0, 1.0, 20.0, 100.0, INFINITY};
   po_staircases s;
@@ -202,11 +196,10 @@ START_TEST(staircase_through_a_spring) {
   }
   po_staircases_clear(&s);
 }
-END_TEST
 
 /* JKR: with the load as a function of the approach the slope dW/d(approach) decides at a base, the
  * sign of both rates under either control. */
-START_TEST(modes_at_a_base) {
+TEST(modes_at_a_base) {
   ck_assert_int_eq(po_modes_held(PO_DISPLACEMENT_CONTROL, 0, 1.0, -5.0), 0);
   ck_assert_int_eq(po_modes_held(2.0, 0, 1.0, -1.9), 0);
   ck_assert_int_eq(po_modes_held(2.0, 0, 1.0, -2.1), 1);
@@ -215,11 +208,10 @@ START_TEST(modes_at_a_base) {
   ck_assert_int_eq(po_modes_held(PO_LOAD_CONTROL, 0, 1.0, -1e-9), 1);
   ck_assert_int_eq(po_modes_held(PO_LOAD_CONTROL, 0, 1.0, 1e-9), 0);
 }
-END_TEST
 
 /* Bradley's spheres never jump at fixed approach; under a load they come together where Eq 23
  * vanishes, x = 4^(-1/6), and part at 2. */
-START_TEST(bradley_in_closed_form) {
+TEST(bradley_in_closed_form) {
   po_request request = po_request_default();
   request.scene.tabor = 0.0;
   request.want = PO_WANT_HYSTERESIS;
@@ -239,7 +231,6 @@ START_TEST(bradley_in_closed_form) {
   ck_assert_double_eq_tol(l->jumps[1].before.load, -2.0, 1e-9);
   po_result_clear(&o);
 }
-END_TEST
 
 static const struct {
   po_scene scene;
@@ -276,7 +267,7 @@ static void is_located(const po_loop *loop, const po_result *o) {
  * curve that is off by at most 0.06 of the tolerance of 1e-6 everywhere encloses an area that is
  * off by at most that times its length, of which the way in approach and back is the most. The same
  * holds for the loops of the theory on their points. */
-START_TEST(loop_loses_what_its_jumps_do) {
+TABLE_TEST(loop_loses_what_its_jumps_do, LOOPS) {
   po_request request = po_request_default();
   request.scene = LOOPS[_i].scene;
   request.mesh.scheme = PO_PANEL;
@@ -297,7 +288,6 @@ START_TEST(loop_loses_what_its_jumps_do) {
   po_hysteresis_clear(&h);
   po_result_clear(&o);
 }
-END_TEST
 
 static void holds(double loose, double loose_error, double tight, double tight_error) {
   ck_assert_double_gt(loose_error, 0.0);
@@ -319,7 +309,7 @@ static void loops_hold(const po_loop *loose, const po_loop *tight) {
 
 /* The errors of energies that a solve at 1e-4 states hold against one at 1e-8: of folds, of the
  * last point of the curve, of the preload, and of what loops lose. */
-START_TEST(stated_errors_of_energies_hold) {
+TABLE_TEST(stated_errors_of_energies_hold, LOOPS) {
   po_request request = po_request_default();
   po_result o[2];
   request.scene = LOOPS[_i].scene;
@@ -351,11 +341,10 @@ START_TEST(stated_errors_of_energies_hold) {
   po_result_clear(&o[0]);
   po_result_clear(&o[1]);
 }
-END_TEST
 
 /* With a preload that reaches only the first crest, the pull-off force of a test is smaller than
  * with the default preload. The reported pull-off must be that of the test. */
-START_TEST(a_small_preload_measures_less) {
+TEST(a_small_preload_measures_less) {
   po_request request = po_request_default();
   request.scene = (po_scene){4.0, 3.0, 10.0, 100.0, 100.0};
   request.mesh.scheme = PO_PANEL;
@@ -373,9 +362,8 @@ START_TEST(a_small_preload_measures_less) {
   ck_assert_double_eq_tol(o.pull_off.force, 1.226617, 1e-4);
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(a_preload_beyond_the_trace_is_refused) {
+TEST(a_preload_beyond_the_trace_is_refused) {
   po_request request = po_request_default();
   request.mesh.scheme = PO_PANEL;
   request.approach_end = 0.5;
@@ -387,25 +375,4 @@ START_TEST(a_preload_beyond_the_trace_is_refused) {
   po_result_clear(&o);
   request.preload.load = -0.1;
   ck_assert_int_eq(po_solve(&request, &o), PO_BAD_INPUT);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, spring_in_closed_form, 0, 4);
-  tcase_add_test(tests, staircase_through_a_spring);
-  tcase_add_test(tests, modes_at_a_base);
-  tcase_add_loop_test(tests, jkr_in_closed_form, 0, 2);
-  tcase_add_test(tests, cone_in_closed_form);
-  tcase_add_test(tests, truncated_sphere_parts_from_its_corner);
-  tcase_add_test(tests, staircases_reach_the_lowest_minimum);
-  tcase_add_loop_test(tests, staircases_of_two_waves, 0, 2);
-  tcase_add_test(tests, bradley_in_closed_form);
-  tcase_add_loop_test(tests, stated_errors_of_energies_hold, 0, sizeof LOOPS / sizeof *LOOPS);
-  tcase_add_loop_test(tests, loop_loses_what_its_jumps_do, 0, sizeof LOOPS / sizeof *LOOPS);
-  tcase_add_test(tests, a_small_preload_measures_less);
-  tcase_add_test(tests, a_preload_beyond_the_trace_is_refused);
-}
-
-int main(void) {
-  return run_case("hysteresis", add);
 }

@@ -63,7 +63,7 @@ static po_status print_document(size_t k, po_text *text, size_t *total) {
 
 /* Regression: a document without one of its members, for lack of memory, was printed as complete.
  */
-START_TEST(document_is_whole_or_none) {
+TEST(document_is_whole_or_none) {
   json_t *document = NULL;
   po_text text = {0};
   size_t total = 0;
@@ -85,9 +85,8 @@ START_TEST(document_is_whole_or_none) {
     po_text_clear(&text);
   }
 }
-END_TEST
 
-START_TEST(reading_tells_damage_from_lack_of_memory) {
+TEST(reading_tells_damage_from_lack_of_memory) {
   json_t *document = NULL;
   ck_assert_int_eq(po_json_parse("[]", 2, &document), PO_OK);
   json_decref(document);
@@ -108,7 +107,6 @@ START_TEST(reading_tells_damage_from_lack_of_memory) {
     ck_assert_ptr_null(document);
   }
 }
-END_TEST
 
 /* Names of files are bytes, and texts may be truncated inside a character. Regression: both were
  * reported as lack of memory. */
@@ -129,7 +127,7 @@ static const struct {
     {"\x80\xFF", "\xEF\xBF\xBD\xEF\xBF\xBD"},
 };
 
-START_TEST(text_becomes_utf8) {
+TABLE_TEST(text_becomes_utf8, TEXTS) {
   const char *text = TEXTS[_i].text, *repaired = TEXTS[_i].repaired;
   char *copy = po_quote_utf8(text);
   ck_assert_ptr_nonnull(copy);
@@ -138,15 +136,4 @@ START_TEST(text_becomes_utf8) {
   ck_assert_str_eq(json_string_value(value), repaired);
   json_decref(value);
   free(copy);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, document_is_whole_or_none);
-  tcase_add_test(tests, reading_tells_damage_from_lack_of_memory);
-  tcase_add_loop_test(tests, text_becomes_utf8, 0, sizeof TEXTS / sizeof *TEXTS);
-}
-
-int main(void) {
-  return run_case("json", add);
 }

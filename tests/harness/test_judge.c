@@ -21,11 +21,10 @@ static const struct {
     {PO_NOT_REACHABLE, "not_reachable", true},
 };
 
-START_TEST(which_pass) {
+LOOP_TEST(which_pass, 0, PO_VERDICT_COUNT) {
   ck_assert_str_eq(PO_VERDICTS[VERDICTS[_i].verdict], VERDICTS[_i].name);
   ck_assert_int_eq(po_verdict_passes(VERDICTS[_i].verdict), VERDICTS[_i].passes);
 }
-END_TEST
 
 /* The oracle is 1.5 with tolerance 1e-3; the tolerance of the pin is 1e-9. NAN: there is no such
  * value; an uncertainty of NAN: there is no oracle. */
@@ -51,7 +50,7 @@ static const struct {
     {(double)NAN, 1.502, 1e-10, PO_MISSING_REFERENCE, PO_OUTSIDE},
 };
 
-START_TEST(pin_and_oracle) {
+TABLE_TEST(pin_and_oracle, TOGETHER) {
   const bool alone = isnan(TOGETHER[_i].uncertainty);
   const double obtained = TOGETHER[_i].obtained;
   const size_t oracle =
@@ -62,18 +61,16 @@ START_TEST(pin_and_oracle) {
   if (!alone)
     ck_assert_str_eq(PO_VERDICTS[verdict_of(oracle)], PO_VERDICTS[TOGETHER[_i].oracle]);
 }
-END_TEST
 
-START_TEST(the_note_of_a_moved_pin_says_by_how_much) {
+TEST(the_note_of_a_moved_pin_says_by_how_much) {
   found(ORACLE, 0, "pull_off_force", "", 1.50025, 1.5, 1e-10);
   const size_t pin = found(PIN, 0, "pull_off_force", "", 1.50025, 1.5005, 0);
   po_judge(&made_run.check_results);
   ck_assert_str_eq(made_run.check_results.items[pin].note,
                    "the error against sage decreased from 0.0005 to 0.00025: bless it");
 }
-END_TEST
 
-START_TEST(an_error_that_rose_against_one_oracle_rose) {
+TEST(an_error_that_rose_against_one_oracle_rose) {
   found(ORACLE, 0, "pull_off_force", "", 1.5001, 1.5, 1e-10);
   found(OTHER_ORACLE, 0, "pull_off_force", "", 1.5001, 1.5003, 1e-10);
   const size_t pin = found(PIN, 0, "pull_off_force", "", 1.5001, 1.5002, 0);
@@ -81,9 +78,8 @@ START_TEST(an_error_that_rose_against_one_oracle_rose) {
   ck_assert_int_eq(verdict_of(pin), PO_REGRESSED);
   ck_assert_ptr_nonnull(strstr(made_run.check_results.items[pin].note, "seer increased"));
 }
-END_TEST
 
-START_TEST(other_points_special_points_and_papers_have_no_say) {
+TEST(other_points_special_points_and_papers_have_no_say) {
   found(ORACLE, 1, "fold_load", "jump_in-1/load", 1.5001, 1.5, 1e-10);
   found(ORACLE, 0, "fold_load", "jump_out-2/load", 1.5001, 1.5, 1e-10);
   found(ORACLE, 0, "fold_approach", "jump_in-1/approach", 1.5001, 1.5, 1e-10);
@@ -96,17 +92,15 @@ START_TEST(other_points_special_points_and_papers_have_no_say) {
   po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(again), PO_IMPROVED);
 }
-END_TEST
 
 /* A published value that fails while the pin passes is not wrong_and_frozen: the publication may be
  * wrong. */
-START_TEST(published_values_judge_by_themselves) {
+TEST(published_values_judge_by_themselves) {
   const size_t paper = found(PUBLISHED, 0, "pull_off_force", "", 1.55, 1.5, 1e-3);
   found(PIN, 0, "pull_off_force", "", 1.55, 1.55, 0);
   po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(paper), PO_OUTSIDE);
 }
-END_TEST
 
 static const struct {
   double pinned, done;
@@ -117,13 +111,12 @@ static const struct {
     {0, 1, PO_REGRESSED},       {1000, 0, PO_IMPROVED},
 };
 
-START_TEST(more_work_is_worse_and_less_is_better) {
+TABLE_TEST(more_work_is_worse_and_less_is_better, COUNTS) {
   const size_t place =
       found(WORK, 0, "work_points", "points", COUNTS[_i].done, COUNTS[_i].pinned, 0);
   po_judge(&made_run.check_results);
   ck_assert_str_eq(PO_VERDICTS[verdict_of(place)], PO_VERDICTS[COUNTS[_i].verdict]);
 }
-END_TEST
 
 /* Errors of one check (tolerance 1e-3) at two points, and the point that is slack (-1: none). */
 static const struct {
@@ -144,7 +137,7 @@ static const struct {
     {"pull_off_force", {9e-7, 2e-3}, 1e-10, ORACLE, -1},
 };
 
-START_TEST(a_tolerance_is_measured_by_the_worst_error_it_met) {
+TABLE_TEST(a_tolerance_is_measured_by_the_worst_error_it_met, TOLERANCES) {
   for (size_t point = 0; point < 2; ++point)
     found(TOLERANCES[_i].which, point, TOLERANCES[_i].name, "", 1.5 + TOLERANCES[_i].errors[point],
           1.5, TOLERANCES[_i].uncertainty);
@@ -152,52 +145,29 @@ START_TEST(a_tolerance_is_measured_by_the_worst_error_it_met) {
   for (int point = 0; point < 2; ++point)
     ck_assert_int_eq(verdict_of((size_t)point) == PO_SLACK, point == TOLERANCES[_i].slack);
 }
-END_TEST
 
 /* With tolerance 1e-12 and value 2, rounding alone is more than a thousandth of the tolerance. */
-START_TEST(rounding_is_an_error_too) {
+TEST(rounding_is_an_error_too) {
   made_checks[ORACLE].tolerance = 1e-12;
   const size_t exact = found(ORACLE, 0, "pull_off_force", "", 2, 2, 0);
   po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(exact), PO_WITHIN);
 }
-END_TEST
 
 /* An error of exactly 0, e.g. because there is no fold to compare, does not make a tolerance slack.
  */
-START_TEST(no_error_at_all_tells_nothing) {
+TEST(no_error_at_all_tells_nothing) {
   const size_t none = found(ORACLE, 0, "reverse_trace", "", 0, 0, 0);
   po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(none), PO_WITHIN);
 }
-END_TEST
 
 /* A share of solved points is a count: if all are solved, the tolerance is not slack. */
-START_TEST(a_share_is_never_slack) {
+TEST(a_share_is_never_slack) {
   const size_t share = found(ORACLE, 0, "solved_share", "", 1, 1, (double)NAN);
   made_run.check_results.items[share].whole = true;
   po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(share), PO_WITHIN);
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_checked_fixture(tests, make_run, clear_run);
-  tcase_add_loop_test(tests, which_pass, 0, PO_VERDICT_COUNT);
-  tcase_add_loop_test(tests, pin_and_oracle, 0, (int)(sizeof TOGETHER / sizeof *TOGETHER));
-  tcase_add_test(tests, the_note_of_a_moved_pin_says_by_how_much);
-  tcase_add_test(tests, an_error_that_rose_against_one_oracle_rose);
-  tcase_add_test(tests, other_points_special_points_and_papers_have_no_say);
-  tcase_add_test(tests, published_values_judge_by_themselves);
-  tcase_add_loop_test(tests, more_work_is_worse_and_less_is_better, 0,
-                      (int)(sizeof COUNTS / sizeof *COUNTS));
-  tcase_add_loop_test(tests, a_tolerance_is_measured_by_the_worst_error_it_met, 0,
-                      (int)(sizeof TOLERANCES / sizeof *TOLERANCES));
-  tcase_add_test(tests, rounding_is_an_error_too);
-  tcase_add_test(tests, no_error_at_all_tells_nothing);
-  tcase_add_test(tests, a_share_is_never_slack);
-}
-
-int main(void) {
-  return run_case("judge", add);
-}
+FIXTURE(make_run, clear_run)

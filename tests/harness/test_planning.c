@@ -150,7 +150,7 @@ static uint64_t work(int which, size_t n) {
 
 /* Twice the size takes twice the work, and slightly more where a list is sorted: measured 1.8 to
  * 2.1. Quadratic work would be four times as much. */
-START_TEST(work_grows_with_size) {
+LOOP_TEST(work_grows_with_size, 0, FAMILY_COUNT) {
   enum { SIZE = 1000 };
   const uint64_t once = work(_i, SIZE), twice = work(_i, 2 * SIZE);
   ck_assert_uint_ge(once, SIZE); /* something is counted */
@@ -159,13 +159,4 @@ START_TEST(work_grows_with_size) {
                 2 * SIZE);
   if (getenv("PULLOFF_SHOW_WORK"))
     printf("%-60s %.3f %g\n", FAMILIES[_i].name, (double)twice / (double)once, (double)once);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, work_grows_with_size, 0, FAMILY_COUNT);
-}
-
-int main(void) {
-  return run_case("planning", add);
 }

@@ -51,14 +51,13 @@ static void check_block(const po_block *block) {
       check_row(block, &block->row[i]);
 }
 
-START_TEST(no_cell_is_empty) {
+TEST(no_cell_is_empty) {
   check_block(&PO_ALL_ROWS);
 }
-END_TEST
 
 /* A key without help has that of the next one, which has the same owner. A key that a series may
  * vary is a number with a place, or sets one. */
-START_TEST(no_cell_of_a_key_is_empty) {
+TEST(no_cell_of_a_key_is_empty) {
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     const po_key_row *row = &PO_KEYS[key];
     ck_assert_msg(*row->name && *row->expected && *row->value, "key %d: an empty cell", key);
@@ -71,10 +70,9 @@ START_TEST(no_cell_of_a_key_is_empty) {
       ck_assert(row->place == PO_NO_PLACE || row->place != PO_KEYS[other].place);
   }
 }
-END_TEST
 
 /* A number that has a unit can be given in SI units. */
-START_TEST(keys_with_a_dimension_have_one_in_si_units) {
+TEST(keys_with_a_dimension_have_one_in_si_units) {
   const po_units units = {.length = 1, .force = 1};
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     const po_key_row *row = &PO_KEYS[key];
@@ -95,9 +93,8 @@ START_TEST(keys_with_a_dimension_have_one_in_si_units) {
     ck_assert(twin->varies == row->varies && twin->owner == PO_OWNER_SI);
   }
 }
-END_TEST
 
-START_TEST(paths_lead_to_numbers) {
+TEST(paths_lead_to_numbers) {
   po_step step = {.preload = {.approach = -1.5}, .pull_off = {.load = -0.75}};
   po_cycle cycle = {.loss = {.energy = 2.385}};
   ck_assert_double_eq(po_block_number(&PO_STEP_ROWS, &step, "preload.approach"), -1.5);
@@ -112,7 +109,6 @@ START_TEST(paths_lead_to_numbers) {
   for (size_t i = 0; i < sizeof WRONG / sizeof *WRONG; ++i)
     ck_assert_ptr_null(po_block_find(&PO_STEP_ROWS, &step, WRONG[i]).row);
 }
-END_TEST
 
 /* -- Every member survives JSON -- */
 
@@ -311,7 +307,7 @@ static json_t *document_of(const po_request *request, po_result *result) {
 
 /* -INFINITY (separated) and NAN (unknown) are both null in JSON, so that documents alone do not
  * show whether they are read back right. A member of a result without a row is found, too. */
-START_TEST(every_member_survives_json) {
+LOOP_TEST(every_member_survives_json, 0, 2) {
   po_request request = everything(_i ? 0.0 : 2.385, 57.0);
   request.stiffness = _i ? NAN : 0.4;
   po_result solved, again;
@@ -324,7 +320,6 @@ START_TEST(every_member_survives_json) {
   po_result_clear(&solved);
   po_result_clear(&again);
 }
-END_TEST
 
 /* -- Units of loads -- */
 
@@ -385,7 +380,7 @@ static void compare_units(const json_t *a, const json_t *b, double unit) {
 /* The paraboloid r^2/2R with the reference length R and with the reference length epsilon is the
  * same sphere, so that the numbers differ in the unit of load only: R = 64 epsilon, and exact
  * powers of two. A load that had been forgotten was wrong for every profile but the sphere. */
-START_TEST(all_loads_have_the_unit_of_the_scene) {
+TEST(all_loads_have_the_unit_of_the_scene) {
   po_request sphere = everything(2.0, 64.0), other = everything(0.5, 1.0);
   ck_assert(po_profile_set(&sphere.scene.profile, "power:0.0078125,2"));
   ck_assert(po_profile_set(&other.scene.profile, "power:0.0078125,2"));
@@ -401,18 +396,4 @@ START_TEST(all_loads_have_the_unit_of_the_scene) {
   json_decref(b);
   po_result_clear(&in_r);
   po_result_clear(&in_epsilon);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, no_cell_is_empty);
-  tcase_add_test(tests, no_cell_of_a_key_is_empty);
-  tcase_add_test(tests, keys_with_a_dimension_have_one_in_si_units);
-  tcase_add_test(tests, paths_lead_to_numbers);
-  tcase_add_loop_test(tests, every_member_survives_json, 0, 2);
-  tcase_add_test(tests, all_loads_have_the_unit_of_the_scene);
-}
-
-int main(void) {
-  return run_case("rows", add);
 }

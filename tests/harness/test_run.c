@@ -58,40 +58,36 @@ static po_status run_case_file(const char *value, size_t points, volatile sig_at
   return status;
 }
 
-START_TEST(nothing_is_solved_after_a_stop) {
+TEST(nothing_is_solved_after_a_stop) {
   ck_assert_int_eq(run_case_file("1", 3, 1), PO_INTERRUPTED);
   ck_assert(!is_there("stopped/record.json"));
 }
-END_TEST
 
 /* Regression: Ctrl-C after the last point, or without points to solve, gave "interrupted" and exit
  * code 130. */
-START_TEST(nothing_is_missing_of_what_is_kept) {
+TEST(nothing_is_missing_of_what_is_kept) {
   ck_assert_int_eq(run_case_file("1", 3, 0), PO_OK);
   ck_assert(is_there("stopped/record.json"));
   ck_assert_int_eq(run_case_file("1", 3, 1), PO_OK);
   ck_assert_int_eq(run_case_file("1", 2, 1), PO_OK);
 }
-END_TEST
 
 /* The points are solved, the closed form for another value is not evaluated yet. */
-START_TEST(a_line_that_is_missing_is_not_made_after_a_stop) {
+TEST(a_line_that_is_missing_is_not_made_after_a_stop) {
   ck_assert_int_eq(run_case_file("1", 3, 0), PO_OK);
   ck_assert_int_eq(run_case_file("2", 3, 1), PO_INTERRUPTED);
   ck_assert_int_eq(run_case_file("1", 3, 1), PO_OK); /* as its record still is */
   ck_assert_int_eq(run_case_file("2", 3, 0), PO_OK);
   ck_assert_int_eq(run_case_file("2", 3, 1), PO_OK);
 }
-END_TEST
 
 /* The same for a part of the points. */
-START_TEST(points_in_the_store_are_not_missing) {
+TEST(points_in_the_store_are_not_missing) {
   ck_assert_int_eq(run_case_file("1", 2, 0), PO_OK);
   ck_assert(is_there("stopped/points.jsonl"));
   for (size_t points = 1; points <= 3; ++points)
     ck_assert_int_eq(run_case_file("1", points, 1), points <= 2 ? PO_OK : PO_INTERRUPTED);
 }
-END_TEST
 
 /* The options of AddressSanitizer: an allocation that is too large returns NULL, as without it.
  */
@@ -101,14 +97,13 @@ const char *__asan_default_options(void) {
 }
 
 /* More points than the address space can hold: the status is PO_NO_MEMORY. */
-START_TEST(a_run_too_large_is_refused) {
+TEST(a_run_too_large_is_refused) {
   const po_case large = {.point_count = SIZE_MAX / 2, .repeats = 1};
   po_plan plan = {.kase = &large};
   po_case_run run;
   ck_assert_int_eq(po_case_run_create(&plan, &run), PO_NO_MEMORY);
   ck_assert_ptr_null(run.points);
 }
-END_TEST
 
 static po_status take_none(void *context, size_t question, po_answer *answer, bool final) {
   (void)context, (void)question, (void)answer, (void) final;
@@ -117,7 +112,7 @@ static po_status take_none(void *context, size_t question, po_answer *answer, bo
 
 /* The folder of a process is removed by the run that recovers its answers, but not while its own
  * run lives, nor by a run with another key. */
-START_TEST(the_folder_of_a_living_run_stays) {
+TEST(the_folder_of_a_living_run_stays) {
   po_ask_folder made;
   ck_assert_int_eq(po_ask_folder_make(folder, "0123456789abcdef0", &made), PO_OK);
   ck_assert_int_eq(po_file_write(made.response.text, "{}\n", 3), PO_OK);
@@ -129,18 +124,5 @@ START_TEST(the_folder_of_a_living_run_stays) {
   ck_assert_int_eq(po_recover(NULL, 0, folder, "0123456789abcdef0", take_none, NULL), PO_OK);
   ck_assert(!po_path_exists(made.path.text));
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_checked_fixture(tests, setup, teardown);
-  tcase_add_test(tests, nothing_is_solved_after_a_stop);
-  tcase_add_test(tests, nothing_is_missing_of_what_is_kept);
-  tcase_add_test(tests, a_line_that_is_missing_is_not_made_after_a_stop);
-  tcase_add_test(tests, points_in_the_store_are_not_missing);
-  tcase_add_test(tests, the_folder_of_a_living_run_stays);
-  tcase_add_test(tests, a_run_too_large_is_refused);
-}
-
-int main(void) {
-  return run_case("run", add);
-}
+FIXTURE(setup, teardown)

@@ -17,18 +17,17 @@
 #include "run.h"
 
 /* The first outputs of splitmix64 seeded with 1234567, as published for other languages. */
-START_TEST(mix_is_splitmix64) {
+LOOP_TEST(mix_is_splitmix64, 0, 5) {
   static const uint64_t KNOWN[] = {UINT64_C(6457827717110365317), UINT64_C(3203168211198807973),
                                    UINT64_C(9817491932198370423), UINT64_C(4593380528125082431),
                                    UINT64_C(16408922859458223821)};
   const uint64_t step = UINT64_C(0x9e3779b97f4a7c15);
   ck_assert_uint_eq(po_random_mix(UINT64_C(1234567) + (uint64_t)_i * step), KNOWN[_i]);
 }
-END_TEST
 
 /* Mean, variance, and the correlations of neighbouring scenes and of different keys, each within
  * five standard deviations of 10000 draws. */
-START_TEST(draws_are_uniform_and_unrelated) {
+TEST(draws_are_uniform_and_unrelated) {
   enum { COUNT = 10000 };
   double mean = 0, square = 0, neighbour = 0, other = 0;
   for (uint64_t i = 0; i < COUNT; ++i) {
@@ -44,7 +43,6 @@ START_TEST(draws_are_uniform_and_unrelated) {
   ck_assert_double_eq_tol(neighbour, 0, 5.0 / 12 / sqrt(COUNT));
   ck_assert_double_eq_tol(other, 0, 5.0 / 12 / sqrt(COUNT));
 }
-END_TEST
 
 /* Computed in Python from the description in doc/cases.md, for the ranges of
  * cases/random.yaml. */
@@ -57,7 +55,7 @@ static const struct {
              {199, "tabor=0.00108449 radius=52.0513 wavelength=12.2236 amplitude=10.43"},
              {999, "tabor=0.00416498 radius=113.855 wavelength=20.2887 amplitude=19.7204"}};
 
-START_TEST(random_case_draws_what_another_program_draws) {
+TEST(random_case_draws_what_another_program_draws) {
   po_case *kase = NULL;
   ck_assert_msg(po_case_read(SOURCE_ROOT "/cases/random.yaml", "random.yaml", &kase) == PO_OK, "%s",
                 po_message());
@@ -67,11 +65,10 @@ START_TEST(random_case_draws_what_another_program_draws) {
   ck_assert_double_eq(kase->points[0].request.time_limit, 20);
   po_case_destroy(kase);
 }
-END_TEST
 
 /* The drawn values equal those in the label and in the command that repeats the solve, to the last
  * bit. */
-START_TEST(label_and_command_are_exact) {
+TEST(label_and_command_are_exact) {
   po_case *kase = NULL;
   ck_assert_int_eq(po_case_read(SOURCE_ROOT "/cases/random.yaml", "random.yaml", &kase), PO_OK);
   for (size_t i = 0; i < kase->point_count; i += 13) {
@@ -100,7 +97,6 @@ START_TEST(label_and_command_are_exact) {
   }
   po_case_destroy(kase);
 }
-END_TEST
 
 /* A table of r^2/200 plus a wave of the given amplitude and length 20, read into a request. */
 static void set_table(po_request *request, double amplitude) {
@@ -123,7 +119,7 @@ static void set_table(po_request *request, double amplitude) {
 /* A single solve of a scene whose load may have several minima searches beyond the default preload.
  * The command that repeats a point states that preload: for waves, and for a table that contains
  * some. */
-START_TEST(the_command_states_the_preload_if_the_load_may_have_several_minima) {
+LOOP_TEST(the_command_states_the_preload_if_the_load_may_have_several_minima, 0, 4) {
   static const char *const WAVES[] = {"-", "0.5@20", "-", "-"};
   static const double IN_TABLE[] = {-1, -1, 0, 0.5}; /* negative: a sphere */
   po_request request = po_input_default();
@@ -141,7 +137,6 @@ START_TEST(the_command_states_the_preload_if_the_load_may_have_several_minima) {
   ck_assert_double_le(load, _i == 3 ? 500.0 : 1.0);
   po_text_clear(&command);
 }
-END_TEST
 
 static po_case *case_of(const char *sample) {
   static const char HEAD[] = "name: made\ntitle: Made up\nsuites: [random]\nwant: [pull_off]\n"
@@ -161,7 +156,7 @@ static po_case *case_of(const char *sample) {
 #define TABOR "{key: tabor, from: 0.01, to: 2.385, scale: log}"
 #define RADIUS "{key: radius, from: 30, to: 500}"
 
-START_TEST(a_scene_does_not_depend_on_the_others) {
+LOOP_TEST(a_scene_does_not_depend_on_the_others, 0, 3) {
   static const char *const OTHERS[] = {
       "sample: {seed: 7, count: 50, keys: [" TABOR ", " RADIUS "]}",
       "sample: {seed: 7, count: 12, keys: [" RADIUS ", " TABOR "]}",
@@ -176,9 +171,8 @@ START_TEST(a_scene_does_not_depend_on_the_others) {
   po_case_destroy(one);
   po_case_destroy(other);
 }
-END_TEST
 
-START_TEST(another_seed_draws_other_scenes) {
+TEST(another_seed_draws_other_scenes) {
   po_case *one = case_of("sample: {seed: 7, count: 12, keys: [" TABOR ", " RADIUS "]}");
   po_case *other = case_of("sample: {seed: 8, count: 12, keys: [" TABOR ", " RADIUS "]}");
   for (size_t i = 0; i < one->point_count; ++i)
@@ -186,10 +180,9 @@ START_TEST(another_seed_draws_other_scenes) {
   po_case_destroy(one);
   po_case_destroy(other);
 }
-END_TEST
 
 /* Each drawn scene is combined with every combination of the sweep; a unit may be swept. */
-START_TEST(sample_times_sweep) {
+TEST(sample_times_sweep) {
   po_case *kase = case_of("sweep: [{key: tabor, values: [1, 2.385]}]\n"
                           "sample: {seed: 7, count: 3, keys: [" RADIUS
                           ", {key: wavelength, from: 1, to: 2, times: tabor},"
@@ -204,10 +197,9 @@ START_TEST(sample_times_sweep) {
   }
   po_case_destroy(kase);
 }
-END_TEST
 
 /* Both ends are exact; between them equal steps or equal factors, rounded to 6 digits. */
-START_TEST(ranges_have_their_ends_and_equal_steps) {
+TEST(ranges_have_their_ends_and_equal_steps) {
   static const char *const VALUES[2][4] = {{"1", "334", "667", "1000"}, {"1", "10", "100", "1000"}};
   bool log = false;
   char text[PO_NUMBER_LENGTH];
@@ -221,22 +213,4 @@ START_TEST(ranges_have_their_ends_and_equal_steps) {
   ck_assert(po_range_read_scale("log", &log) && log);
   ck_assert(po_range_read_scale("linear", &log) && !log);
   ck_assert(!po_range_read_scale("logarithmic", &log));
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, mix_is_splitmix64, 0, 5);
-  tcase_add_test(tests, draws_are_uniform_and_unrelated);
-  tcase_add_test(tests, random_case_draws_what_another_program_draws);
-  tcase_add_test(tests, label_and_command_are_exact);
-  tcase_add_loop_test(tests, the_command_states_the_preload_if_the_load_may_have_several_minima, 0,
-                      4);
-  tcase_add_loop_test(tests, a_scene_does_not_depend_on_the_others, 0, 3);
-  tcase_add_test(tests, another_seed_draws_other_scenes);
-  tcase_add_test(tests, sample_times_sweep);
-  tcase_add_test(tests, ranges_have_their_ends_and_equal_steps);
-}
-
-int main(void) {
-  return run_case("sample", add);
 }

@@ -32,7 +32,7 @@ static size_t units(void) {
 
 static const size_t COUNTS[] = {1, 2, 3, 4, 7, 200};
 
-START_TEST(each_point_is_in_one_shard) {
+TABLE_TEST(each_point_is_in_one_shard, COUNTS) {
   int times[RUNS][MOST] = {{0}};
   size_t least = SIZE_MAX, most = 0;
   for (size_t k = 1; k <= COUNTS[_i]; ++k) {
@@ -57,12 +57,11 @@ START_TEST(each_point_is_in_one_shard) {
     for (size_t i = 0; i < cases[r].point_count; ++i)
       ck_assert_int_eq(times[r][i], 1);
 }
-END_TEST
 
 /* If points were assigned in the order of the sweep, each of four shards would get one of the four
  * values in all rows. At random it gets 10 of the 40 points of each value, with a standard
  * deviation of 2.6. */
-START_TEST(no_shard_has_the_dear_end_of_a_sweep) {
+TEST(no_shard_has_the_dear_end_of_a_sweep) {
   for (size_t k = 1; k <= VALUES; ++k) {
     deal(k, VALUES);
     size_t dear = 0;
@@ -72,14 +71,5 @@ START_TEST(no_shard_has_the_dear_end_of_a_sweep) {
     ck_assert_uint_le(dear, 15);
   }
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_checked_fixture(tests, setup, NULL);
-  tcase_add_loop_test(tests, each_point_is_in_one_shard, 0, (int)(sizeof COUNTS / sizeof *COUNTS));
-  tcase_add_test(tests, no_shard_has_the_dear_end_of_a_sweep);
-}
-
-int main(void) {
-  return run_case("shard", add);
-}
+FIXTURE(setup, NULL)

@@ -49,7 +49,7 @@ static void summary_is(const char *expected) {
 
 /* By nearest rank the median of seven values is the fourth, and the 95 % quantile the last. The
  * five slowest of the seven have a line each; equal ones are in the order of the case. */
-START_TEST(a_whole_run) {
+TEST(a_whole_run) {
   make_seven();
   summary_is(
       "made: 7 of 7 points\n"
@@ -94,11 +94,10 @@ START_TEST(a_whole_run) {
                                                                                               "\n" COMMAND(
                                                                                                   "7.385"));
 }
-END_TEST
 
 /* Points that were not requested do not appear; fewer than five solves are all listed. The median
  * of two values is the first. */
-START_TEST(a_part_of_a_run) {
+TEST(a_part_of_a_run) {
   make_seven();
   for (size_t i = 0; i < COUNT; ++i)
     solved[i].asked = i == 0 || i == 4;
@@ -114,12 +113,11 @@ START_TEST(a_part_of_a_run) {
              "point 0, ok, 0.25 s\n" COMMAND("2.385") "point 4, ok, 0.125 s\n" COMMAND(
                  "6.385") "none failed\n");
 }
-END_TEST
 
 /* Regression: the time of a point that an external solver did not solve is unknown, and made the
  * quantiles nan; a point that its manifest excludes was listed as failed; and the command solved
  * with this program. */
-START_TEST(an_external_solver) {
+TEST(an_external_solver) {
   po_solver solver = {.name = (char *)"other"};
   make_seven();
   made_plan.solver = &solver;
@@ -151,17 +149,15 @@ START_TEST(an_external_solver) {
   ck_assert_ptr_nonnull(strstr(po_text_string(&text), "seconds                      -         -"));
   po_text_clear(&text);
 }
-END_TEST
 
-START_TEST(nothing_was_asked_for) {
+TEST(nothing_was_asked_for) {
   make_seven();
   made_run.asked_count = 0;
   summary_is("");
 }
-END_TEST
 
 /* Of six solves with equal times five are listed, not six. */
-START_TEST(slowest_of_equals) {
+TEST(slowest_of_equals) {
   make_seven();
   for (size_t i = 0; i < COUNT; ++i)
     solved[i].result.work.seconds = 0.5;
@@ -173,11 +169,10 @@ START_TEST(slowest_of_equals) {
   ck_assert_int_eq(lines, 5);
   po_text_clear(&text);
 }
-END_TEST
 
 /* A series solves all its points. One that was not requested, and failed, had a line in the TAP
  * that its plan did not count. */
-START_TEST(only_requested_solves_fail) {
+TEST(only_requested_solves_fail) {
   po_text text = {0};
   make_seven();
   solved[5].asked = false;
@@ -187,18 +182,4 @@ START_TEST(only_requested_solves_fail) {
   ck_assert_str_eq(po_text_string(&text),
                    "TAP version 13\n1..1\nnot ok 1 - made solve/made\n# time is up\n");
   po_text_clear(&text);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, only_requested_solves_fail);
-  tcase_add_test(tests, a_whole_run);
-  tcase_add_test(tests, a_part_of_a_run);
-  tcase_add_test(tests, an_external_solver);
-  tcase_add_test(tests, nothing_was_asked_for);
-  tcase_add_test(tests, slowest_of_equals);
-}
-
-int main(void) {
-  return run_case("summary", add);
 }

@@ -50,7 +50,7 @@ static void expect_jobs(size_t run_count, const po_job *expected, size_t count,
 
 /* Two timed cases, with 3 and 2 rounds, one of them partly solved; one that is not timed; one that
  * is finished. */
-START_TEST(timed_solves_go_round) {
+TEST(timed_solves_go_round) {
   static const po_job EXPECTED[] = {
       {1, 0, 0}, {1, 1, 0}, {1, 2, 0},                       /* in parallel */
       {0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {2, 1, 0}, {2, 2, 0}, /* the first round */
@@ -63,11 +63,10 @@ START_TEST(timed_solves_go_round) {
   make_run(3, 2, 3);
   expect_jobs(RUNS, EXPECTED, count, 3);
 }
-END_TEST
 
 /* A case that this program and an external solver solve: in each round, each point by both of them.
  * The first and the last point differ only in the mesh, and are one question. */
-START_TEST(solvers_alternate) {
+TEST(solvers_alternate) {
   static const po_job EXPECTED[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0},
                                     {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0, 2, 1}};
   const size_t count = sizeof EXPECTED / sizeof *EXPECTED;
@@ -84,9 +83,8 @@ START_TEST(solvers_alternate) {
   parts[1].plan.solver = &solver;
   expect_jobs(2, EXPECTED, count, 0);
 }
-END_TEST
 
-START_TEST(points_are_timed_until_enough) {
+TEST(points_are_timed_until_enough) {
   static const po_round SHORT[] = {{0.03, 0.03}, {0.03, 0.03}, {0.03, 0.03}, {0.02, 0.02}},
                         LONG[] = {{0.08, 0.08}, {0.06, 0.06}, {NAN, NAN}, {NAN, NAN}},
                         NONE[] = {{NAN, NAN}};
@@ -100,15 +98,4 @@ START_TEST(points_are_timed_until_enough) {
   ck_assert_double_eq_tol(po_times_median(SHORT + 2, 2), 0.025, 1e-15);
   ck_assert_double_eq_tol(po_times_median(LONG, 4), 0.07, 1e-15);
   ck_assert(isnan(po_times_median(NONE, 1)));
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, points_are_timed_until_enough);
-  tcase_add_test(tests, timed_solves_go_round);
-  tcase_add_test(tests, solvers_alternate);
-}
-
-int main(void) {
-  return run_case("tasks", add);
 }

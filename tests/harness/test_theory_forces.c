@@ -23,7 +23,7 @@ static po_request request_of_tabor(double tabor, double amplitude) {
   return request;
 }
 
-START_TEST(deviation_and_its_error) {
+TEST(deviation_and_its_error) {
   const po_request request = request_of_tabor(2.0, 0.0);
   po_result result = result_of(1.0);
   ck_assert_int_eq(PO_THEORY_FORCES.theories(&request, &result), PO_OK);
@@ -45,7 +45,6 @@ START_TEST(deviation_and_its_error) {
   ck_assert_str_eq(result.theories[PO_THEORY_GUDURU].reason, "the surface has no waves");
   po_result_clear(&result);
 }
-END_TEST
 
 /* JKR of a smooth sphere, c mu^2 as coupling times contact radius (9 pi/8 c R^2)^(1/3): the zone
  * pi/(4 c q^2) over it. */
@@ -56,7 +55,7 @@ static double zone_of_sphere(double tabor) {
 
 /* JKR assumes a short zone and a disc without grooves. The first assumption that does not hold
  * decides, also after one that is unknown. */
-START_TEST(assumption_that_decides) {
+LOOP_TEST(assumption_that_decides, 0, 5) {
   static const struct {
     double tabor, full_disc;
     po_holds holds;
@@ -76,11 +75,10 @@ START_TEST(assumption_that_decides) {
     ck_assert_double_eq_tol(row->number / zone_of_sphere(CASES[_i].tabor), 1.0, 1e-12);
   po_result_clear(&result);
 }
-END_TEST
 
 /* Waves shorten the length in which the stress intensity changes, by g''/g' at the contact edge.
  * These are so low that the contact radius is that of the smooth sphere. */
-START_TEST(waves_make_the_zone_longer_relative_to_the_contact) {
+TEST(waves_make_the_zone_longer_relative_to_the_contact) {
   const po_request request = request_of_tabor(40.0, 1e-3);
   po_result result = result_of(1.0);
   ck_assert_int_eq(PO_THEORY_FORCES.theories(&request, &result), PO_OK);
@@ -92,12 +90,11 @@ START_TEST(waves_make_the_zone_longer_relative_to_the_contact) {
                           1.0 + a * of_waves / rate, 0.02);
   po_result_clear(&result);
 }
-END_TEST
 
 /* For sharp profiles the zone counts more. By the limit of spheres, JKR of cones was said to hold
  * where it is 5.8 % low. With these couplings it is 23 %, 0.75 % and 6.3 % low for a cone, 21 % and
  * 2.7 % for r^1.5, 6.5 % and 2.8 % for r^2. */
-START_TEST(zone_of_sharp_profiles) {
+LOOP_TEST(zone_of_sharp_profiles, 0, 7) {
   static const struct {
     const char *profile;
     double coupling;
@@ -120,11 +117,10 @@ START_TEST(zone_of_sharp_profiles) {
   ck_assert_int_eq(row->decided_by, PO_ASSUMES_ZONE);
   po_result_clear(&result);
 }
-END_TEST
 
 /* Of a flat the Tabor parameter was taken at a gap of 0: JKR, 7 % off, did not hold, and rigid
  * bodies, 591 % off, did. The stress sqrt(E* w/b) over the greatest tension is 1/(q sqrt(c b)). */
-START_TEST(flat_by_its_stress) {
+LOOP_TEST(flat_by_its_stress, 0, 2) {
   static const double COUPLINGS[] = {0.2, 1.0};
   po_request request = po_request_default();
   ck_assert(po_profile_set(&request.scene.profile, "truncated:500,150"));
@@ -143,10 +139,9 @@ START_TEST(flat_by_its_stress) {
   ck_assert_int_eq(result.theories[PO_THEORY_DMT].holds, PO_HOLDS_NO);
   po_result_clear(&result);
 }
-END_TEST
 
 /* Without a solve the forces are there, and no deviation from what a failed one left. */
-START_TEST(failed_solve_has_forces_without_deviations) {
+TEST(failed_solve_has_forces_without_deviations) {
   const po_request request = request_of_tabor(2.0, 0.0);
   po_result result = result_of(1.0);
   result.status = PO_OUT_OF_NODES;
@@ -156,10 +151,9 @@ START_TEST(failed_solve_has_forces_without_deviations) {
   ck_assert(isnan(row->deviation));
   po_result_clear(&result);
 }
-END_TEST
 
 /* Kesari-Lew assumes many waves in the contact, too: here too few, while the disc is unknown. */
-START_TEST(one_that_fails_counts_beside_one_that_is_unknown) {
+TEST(one_that_fails_counts_beside_one_that_is_unknown) {
   const po_request request = request_of_tabor(40.0, 0.02);
   po_result result = result_of(NAN);
   result.pull_off.contact_radius = 12.0;
@@ -169,19 +163,4 @@ START_TEST(one_that_fails_counts_beside_one_that_is_unknown) {
   ck_assert_int_eq(row->decided_by, PO_ASSUMES_WAVES);
   ck_assert_double_eq(row->number, 1.5);
   po_result_clear(&result);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, deviation_and_its_error);
-  tcase_add_test(tests, waves_make_the_zone_longer_relative_to_the_contact);
-  tcase_add_loop_test(tests, assumption_that_decides, 0, 5);
-  tcase_add_loop_test(tests, zone_of_sharp_profiles, 0, 7);
-  tcase_add_loop_test(tests, flat_by_its_stress, 0, 2);
-  tcase_add_test(tests, failed_solve_has_forces_without_deviations);
-  tcase_add_test(tests, one_that_fails_counts_beside_one_that_is_unknown);
-}
-
-int main(void) {
-  return run_case("theory_forces", add);
 }

@@ -1,10 +1,10 @@
 /* The functions of the library, through the public header. */
-#include <check.h>
 #include <fenv.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
 
+#include "../unit/run.h"
 #include "use.h"
 
 static pulloff_message message;
@@ -27,7 +27,7 @@ static void expect_value(const char *key, const char *expected) {
   ck_assert_str_eq(text, expected);
 }
 
-START_TEST(keys_have_names_and_defaults) {
+TEST(keys_have_names_and_defaults) {
   ck_assert_uint_gt(pulloff_key_count(), 20);
   for (size_t k = 0; k < pulloff_key_count(); ++k) {
     ck_assert_ptr_nonnull(pulloff_key_name(k));
@@ -47,9 +47,8 @@ START_TEST(keys_have_names_and_defaults) {
   expect_value("want", "");
   expect_value("profile_approach", "auto");
 }
-END_TEST
 
-START_TEST(values_are_set_and_unset) {
+TEST(values_are_set_and_unset) {
   ck_assert_int_eq(pulloff_scene_set_number(scene, "tabor", 0.1 + 0.2, &message), PULLOFF_OK);
   ck_assert_str_eq(message.text, "");
   expect_value("tabor", "0.30000000000000004");
@@ -78,9 +77,8 @@ START_TEST(values_are_set_and_unset) {
   ck_assert_int_eq(pulloff_scene_get(scene, "law", text, sizeof text, &message), PULLOFF_OK);
   ck_assert_str_eq(text, "len");
 }
-END_TEST
 
-START_TEST(wrong_values_are_refused) {
+TEST(wrong_values_are_refused) {
   const struct {
     const char *key, *value, *message;
   } wrong[] = {
@@ -111,13 +109,12 @@ START_TEST(wrong_values_are_refused) {
                    PULLOFF_CANNOT_READ);
   ck_assert_ptr_nonnull(strstr(message.text, "nowhere.csv"));
 }
-END_TEST
 
 #define TIP "modulus_pa 2e9 work_j_per_m2 0.05 distance_m 3e-10 radius_m 1e-7 "
 
 /* Keys that do not agree are refused when the scene is solved. Dimensionless preloads of a scene in
  * SI units were taken in epsilon, where the command line refuses them. */
-START_TEST(wrong_scenes_are_refused) {
+TEST(wrong_scenes_are_refused) {
   const struct {
     const char *words, *message;
   } wrong[] = {
@@ -145,9 +142,8 @@ START_TEST(wrong_scenes_are_refused) {
   ck_assert_int_eq(solve_words("amplitude 1", &result, &message), PULLOFF_BAD_INPUT);
   ck_assert_ptr_null(result);
 }
-END_TEST
 
-START_TEST(a_result_has_its_parts) {
+TEST(a_result_has_its_parts) {
   ck_assert_int_eq(solve_words("tabor 3 amplitude 1 wavelength 20 want curve,profile,hysteresis",
                                &result, &message),
                    PULLOFF_OK);
@@ -190,9 +186,8 @@ START_TEST(a_result_has_its_parts) {
       PULLOFF_OK);
   ck_assert_uint_ge(jumps, 2);
 }
-END_TEST
 
-START_TEST(values_are_found_by_their_path) {
+TEST(values_are_found_by_their_path) {
   ck_assert_int_eq(solve_words("tabor 1", &result, &message), PULLOFF_OK);
   double value = 0;
   const char *text = NULL;
@@ -220,9 +215,8 @@ START_TEST(values_are_found_by_their_path) {
   ck_assert_ptr_null(pulloff_result_curve(result, &count));
   ck_assert_uint_eq(count, 0);
 }
-END_TEST
 
-START_TEST(a_solve_that_ends_early_has_a_result) {
+TEST(a_solve_that_ends_early_has_a_result) {
   ck_assert_int_eq(solve_words("tabor 5 amplitude 2 wavelength 9 time_limit 1e-6 preload_load 1",
                                &result, &message),
                    PULLOFF_OUT_OF_TIME);
@@ -237,9 +231,8 @@ START_TEST(a_solve_that_ends_early_has_a_result) {
   pulloff_pull_off p;
   ck_assert(!pulloff_result_pull_off(result, &p));
 }
-END_TEST
 
-START_TEST(a_series_is_followed) {
+TEST(a_series_is_followed) {
   enum { COUNT = 5 };
   const double values[COUNT] = {1, 1.1, 1.2, 1.3, 1.4};
   pulloff_result *results[COUNT];
@@ -277,9 +270,8 @@ START_TEST(a_series_is_followed) {
   ck_assert_int_eq(pulloff_follow(scene, "tabor", bad, 2, results, &message), PULLOFF_BAD_INPUT);
   ck_assert_str_eq(message.text, "tabor is -1: expected a finite number >= 0");
 }
-END_TEST
 
-START_TEST(closed_forms_are_evaluated_in_a_state) {
+TEST(closed_forms_are_evaluated_in_a_state) {
   const double none = NAN;
   double value = 0;
   ck_assert_int_eq(pulloff_theory_at("jkr", scene, none, "approach", 0, &result, &message),
@@ -307,9 +299,8 @@ START_TEST(closed_forms_are_evaluated_in_a_state) {
                   message.text);
   }
 }
-END_TEST
 
-START_TEST(closed_forms_are_evaluated) {
+TEST(closed_forms_are_evaluated) {
   const double none = NAN;
   double value = 0;
   ck_assert_int_eq(pulloff_theory("jkr", scene, none, none, &result, &message), PULLOFF_OK);
@@ -378,9 +369,8 @@ START_TEST(closed_forms_are_evaluated) {
   ck_assert_int_eq(pulloff_theory("bradley", scene, none, none, &other, &message), PULLOFF_OK);
   pulloff_result_destroy(other);
 }
-END_TEST
 
-START_TEST(scenes_in_si_units) {
+TEST(scenes_in_si_units) {
   const pulloff_physical tip = {
       .modulus = 2e9, .work = 0.05, .distance = 3e-10, .radius = 1e-7, .outer_radius = INFINITY};
   pulloff_units units;
@@ -428,10 +418,9 @@ START_TEST(scenes_in_si_units) {
   ck_assert_int_eq(pulloff_scene_set_physical(scene, &wrong, NULL, &message), PULLOFF_OK);
   expect_value("tabor", "0");
 }
-END_TEST
 
 /* The state of the calling thread is that of the program during a call, and its own afterwards. */
-START_TEST(the_thread_keeps_its_state) {
+TEST(the_thread_keeps_its_state) {
   pulloff_pull_off usual, changed;
   ck_assert_int_eq(solve_words("tabor 1 preload_load 1", &result, &message), PULLOFF_OK);
   ck_assert(pulloff_result_pull_off(result, &usual));
@@ -450,38 +439,12 @@ START_TEST(the_thread_keeps_its_state) {
   ck_assert(pulloff_result_pull_off(result, &changed));
   ck_assert(changed.force == usual.force && changed.approach == usual.approach);
 }
-END_TEST
 
-START_TEST(statuses_have_texts) {
+TEST(statuses_have_texts) {
   ck_assert_str_eq(pulloff_version(), PULLOFF_VERSION);
   ck_assert_str_eq(pulloff_status_text(PULLOFF_OK), "ok");
   ck_assert_str_eq(pulloff_status_text(PULLOFF_CANNOT_READ), "a file could not be read");
   ck_assert_str_eq(pulloff_status_text((pulloff_status)77), "unknown status");
 }
-END_TEST
 
-int main(void) {
-  Suite *suite = suite_create("library");
-  TCase *tests = tcase_create("library");
-  tcase_set_timeout(tests, 200);
-  tcase_add_checked_fixture(tests, begin, end);
-  tcase_add_test(tests, keys_have_names_and_defaults);
-  tcase_add_test(tests, values_are_set_and_unset);
-  tcase_add_test(tests, wrong_values_are_refused);
-  tcase_add_test(tests, wrong_scenes_are_refused);
-  tcase_add_test(tests, a_result_has_its_parts);
-  tcase_add_test(tests, values_are_found_by_their_path);
-  tcase_add_test(tests, a_solve_that_ends_early_has_a_result);
-  tcase_add_test(tests, a_series_is_followed);
-  tcase_add_test(tests, closed_forms_are_evaluated);
-  tcase_add_test(tests, closed_forms_are_evaluated_in_a_state);
-  tcase_add_test(tests, scenes_in_si_units);
-  tcase_add_test(tests, the_thread_keeps_its_state);
-  tcase_add_test(tests, statuses_have_texts);
-  suite_add_tcase(suite, tests);
-  SRunner *runner = srunner_create(suite);
-  srunner_run_all(runner, CK_NORMAL);
-  const int failed = srunner_ntests_failed(runner);
-  srunner_free(runner);
-  return failed != 0;
-}
+FIXTURE(begin, end)

@@ -14,7 +14,7 @@ static void solve(double tabor, double tolerance, po_result *result) {
   ck_assert_msg(po_solve(&request, result) == PO_OK, "tabor %g: %s", tabor, result->reason);
 }
 
-START_TEST(pull_off_is_within_its_stated_errors) {
+TABLE_TEST(pull_off_is_within_its_stated_errors, TOLERANCES) {
   table t = table_open("feng_pull_off.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     po_result o = {0};
@@ -29,9 +29,8 @@ START_TEST(pull_off_is_within_its_stated_errors) {
   }
   table_close(&t, "pull-off in units of its stated error", 26, 2);
 }
-END_TEST
 
-START_TEST(folds_are_within_their_stated_errors) {
+TABLE_TEST(folds_are_within_their_stated_errors, TOLERANCES) {
   table t = table_open("feng_landmarks.csv");
   po_result o = {0};
   double tabor = NAN;
@@ -57,15 +56,4 @@ START_TEST(folds_are_within_their_stated_errors) {
   t.csv.row_count = folds;
   table_close(&t, "folds in units of their stated error", folds, 2);
   ck_assert_uint_gt(folds, 20);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  const int count = (int)(sizeof TOLERANCES / sizeof *TOLERANCES);
-  tcase_add_loop_test(tests, pull_off_is_within_its_stated_errors, 0, count);
-  tcase_add_loop_test(tests, folds_are_within_their_stated_errors, 0, count);
-}
-
-int main(void) {
-  return run_case("tables_errors", add);
 }

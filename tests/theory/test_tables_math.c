@@ -15,7 +15,7 @@
 /* The tolerances stated in po_special.h and po_kernel.h; 4 ulp. */
 static const double STRUVE_ACCURACY = 1e-14, KERNEL_ACCURACY = 4 * DBL_EPSILON;
 
-START_TEST(struve_agrees_with_the_table) {
+TEST(struve_agrees_with_the_table) {
   static const char *const COLUMNS[] = {"h0", "h1"};
   table t = table_open("struve.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row)
@@ -25,7 +25,6 @@ START_TEST(struve_agrees_with_the_table) {
     }
   table_close(&t, "Struve functions", 67, 2);
 }
-END_TEST
 
 /* An exact decimal number, mantissa * 10^exponent, of up to 18 digits. */
 typedef struct {
@@ -57,7 +56,7 @@ static double decimal_sum(decimal a, decimal b, int sign) {
   return (double)((long double)(a.mantissa + sign * b.mantissa) * powl(10.0L, a.exponent));
 }
 
-START_TEST(kernel_agrees_with_the_table) {
+TEST(kernel_agrees_with_the_table) {
   table t = table_open("kernel.csv");
   size_t points = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -72,9 +71,8 @@ START_TEST(kernel_agrees_with_the_table) {
   t.csv.row_count = points;
   table_close(&t, "kernel", 19, 1);
 }
-END_TEST
 
-START_TEST(kernel_row_agrees_with_the_table) {
+TEST(kernel_row_agrees_with_the_table) {
   table t = table_open("kernel.csv");
   size_t points = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -95,7 +93,6 @@ START_TEST(kernel_row_agrees_with_the_table) {
   t.csv.row_count = points;
   table_close(&t, "kernel of a row of radii", 18, 1);
 }
-END_TEST
 
 /* A function and its accuracy: in units in the last place (at most 0.95), or relative. */
 static const struct {
@@ -145,7 +142,7 @@ static po_dd two_of(const char *name, double a, double b, double *scale) {
   return value;
 }
 
-START_TEST(functions_of_twice_the_precision_agree_with_the_table) {
+TEST(functions_of_twice_the_precision_agree_with_the_table) {
   table t = table_open("elementary.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     double scale;
@@ -160,10 +157,9 @@ START_TEST(functions_of_twice_the_precision_agree_with_the_table) {
   t.csv.row_count = t.compared;
   table_close(&t, "functions in twice the precision", t.compared, 1);
 }
-END_TEST
 
 /* Products, quotients, sums and roots of numbers with both parts, beside the exact relation. */
-START_TEST(arithmetic_in_twice_the_precision) {
+TEST(arithmetic_in_twice_the_precision) {
   const double unit = 0x1p-102;
   for (int k = 1; k <= 1000; ++k) {
     const po_dd a = po_dd_log(po_dd_of(1.0 + 0.37 * k)), b = po_dd_exp(po_dd_of(-0.013 * k));
@@ -177,10 +173,9 @@ START_TEST(arithmetic_in_twice_the_precision) {
     ck_assert_double_le(fabs(quotient.low), 0x1p-53 * quotient.high);
   }
 }
-END_TEST
 
 /* What is outside the domain, at its ends, infinite or NaN; and the sign of zero. */
-START_TEST(ends_of_the_domains) {
+TEST(ends_of_the_domains) {
   const double inf = (double)INFINITY;
   ck_assert(isnan(po_log(-1)) && isnan(po_log1p(-2)) && isnan(po_pow(-1, 0.5)));
   ck_assert(isnan(po_sin(inf)) && isnan(po_cos(inf)) && isnan(po_sinpi(inf)));
@@ -202,10 +197,9 @@ START_TEST(ends_of_the_domains) {
   ck_assert(po_beta_incomplete(2, 3, 0) == 0);
   ck_assert_double_eq_tol(po_beta_incomplete(2, 3, 1), po_beta(2, 3), 1e-15);
 }
-END_TEST
 
 /* The value of a row is the sum of two doubles. */
-START_TEST(functions_agree_with_the_table) {
+TEST(functions_agree_with_the_table) {
   table t = table_open("elementary.csv");
   size_t known = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row)
@@ -227,19 +221,8 @@ START_TEST(functions_agree_with_the_table) {
   ck_assert_uint_eq(known, t.csv.row_count);
   table_close(&t, "elementary and special functions", 437, 1);
 }
-END_TEST
 
-static void add(TCase *tests) {
-  tcase_add_test(tests, functions_agree_with_the_table);
-  tcase_add_test(tests, functions_of_twice_the_precision_agree_with_the_table);
-  tcase_add_test(tests, arithmetic_in_twice_the_precision);
-  tcase_add_test(tests, ends_of_the_domains);
+static void silence_gsl(void) {
   gsl_set_error_handler_off();
-  tcase_add_test(tests, struve_agrees_with_the_table);
-  tcase_add_test(tests, kernel_agrees_with_the_table);
-  tcase_add_test(tests, kernel_row_agrees_with_the_table);
 }
-
-int main(void) {
-  return run_case("tables_math", add);
-}
+FIXTURE(silence_gsl, NULL)

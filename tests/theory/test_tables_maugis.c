@@ -10,7 +10,7 @@
 /* The tolerances that the headers state. */
 static const double MAUGIS_ACCURACY = 1e-14, RIGID_ACCURACY = 1e-13, RIGID_QUADRATURE = 1e-9;
 
-START_TEST(maugis_agrees_with_the_table) {
+TEST(maugis_agrees_with_the_table) {
   table t = table_open("maugis_profiles.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -38,11 +38,10 @@ START_TEST(maugis_agrees_with_the_table) {
   }
   table_close(&t, "Maugis-Dugdale", 54, 3);
 }
-END_TEST
 
 /* The sphere at given load, pi w R, over lambda = 2 q (R/(pi w K^2))^(1/3), K = (4/3) E*, from the
  * equations of Maugis (1992). */
-START_TEST(maugis_pull_off_of_the_sphere) {
+TEST(maugis_pull_off_of_the_sphere) {
   static const double LAMBDAS[] = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0},
                       EXPECTED_FORCE[] = {1.950594892, 1.880473907, 1.718245275,
                                           1.600734911, 1.534603238, 1.506349968};
@@ -57,10 +56,9 @@ START_TEST(maugis_pull_off_of_the_sphere) {
     ck_assert(po_maugis_check(&s, tension, &got) == PO_OK);
   }
 }
-END_TEST
 
 /* The pull-off tends to that of JKR as tension^-2, for every profile and under either control. */
-START_TEST(maugis_tends_to_jkr) {
+TEST(maugis_tends_to_jkr) {
   for (int p = 0; p < PROFILE_COUNT; ++p)
     for (po_fixed fixed = PO_FIXED_LOAD; fixed <= PO_FIXED_APPROACH; ++fixed) {
       const po_scene s = scene_of_words(PROFILES[p], "-", 3.0);
@@ -79,9 +77,8 @@ START_TEST(maugis_tends_to_jkr) {
                     PROFILES[p], fixed, far[0], far[1], jkr.load);
     }
 }
-END_TEST
 
-START_TEST(maugis_with_deep_waves_is_refused) {
+TEST(maugis_with_deep_waves_is_refused) {
   po_maugis state;
   const po_scene shallow = scene_of_words("sphere", "0.05@30", 0.7),
                  deep = scene_of_words("sphere", "3@10", 1e-3);
@@ -91,9 +88,8 @@ START_TEST(maugis_with_deep_waves_is_refused) {
   ck_assert(po_maugis_check(&deep, 1.0, &state) == PO_BAD_INPUT);
   ck_assert_ptr_nonnull(strstr(po_message(), "full disc"));
 }
-END_TEST
 
-START_TEST(rigid_agrees_with_the_table) {
+TEST(rigid_agrees_with_the_table) {
   table t = table_open("rigid_profiles.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     po_scene s = po_scene_default();
@@ -115,11 +111,10 @@ START_TEST(rigid_agrees_with_the_table) {
   }
   table_close(&t, "rigid bodies", 50, 2);
 }
-END_TEST
 
 /* Waves by quadrature: the sphere with one wave under Lennard-Jones against Eq 22; and 2 pi w R of
  * a paraboloid under every law, by a table and by a power. */
-START_TEST(rigid_waves_and_tables) {
+TEST(rigid_waves_and_tables) {
   po_scene s = scene_of_words("sphere", "0.7@12", 0.3);
   po_rigid_pull_off got;
   ck_assert_msg(po_rigid_profile_pull_off(&s, &got) == PO_OK, "%s", po_message());
@@ -138,18 +133,8 @@ START_TEST(rigid_waves_and_tables) {
     compare("force", &s, l, got.force, 200.0, 200.0 * RIGID_ACCURACY);
   }
 }
-END_TEST
 
-static void add(TCase *tests) {
+static void silence_gsl(void) {
   gsl_set_error_handler_off();
-  tcase_add_test(tests, maugis_agrees_with_the_table);
-  tcase_add_test(tests, maugis_pull_off_of_the_sphere);
-  tcase_add_test(tests, maugis_tends_to_jkr);
-  tcase_add_test(tests, maugis_with_deep_waves_is_refused);
-  tcase_add_test(tests, rigid_agrees_with_the_table);
-  tcase_add_test(tests, rigid_waves_and_tables);
 }
-
-int main(void) {
-  return run_case("tables_maugis", add);
-}
+FIXTURE(silence_gsl, NULL)

@@ -12,7 +12,7 @@
 static const double JKR_ACCURACY = 1e-14, PULL_OFF_ACCURACY = 1e-13, QUADRATURE_ACCURACY = 1e-11,
                     INTEGRAL_ACCURACY = 1e-12;
 
-START_TEST(jkr_agrees_with_the_table) {
+TEST(jkr_agrees_with_the_table) {
   table t = table_open("jkr_profiles.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -32,7 +32,6 @@ START_TEST(jkr_agrees_with_the_table) {
   }
   table_close(&t, "JKR of any profile", 280, 3);
 }
-END_TEST
 
 /* An independent route to the transform: g(x) = x times the integral of f'(x sin t) over t from 0
  * to pi/2, and the press is the integral of (x sin t)^2 f'(x sin t), by adaptive quadrature. */
@@ -107,7 +106,7 @@ static void compare_with_quadrature(const po_scene *s, double x) {
     compare("rate", s, x, t.rate, difference, 1e-5 * fabs(t.rate));
 }
 
-START_TEST(transform_agrees_with_quadrature) {
+TEST(transform_agrees_with_quadrature) {
   static const double RADII[] = {1.1e-3, 0.3, 4.9, 5.1, 13.0, 170.0};
   for (int p = 0; p < PROFILE_COUNT; ++p)
     for (int w = 0; w < WAVE_COUNT; ++w)
@@ -116,13 +115,12 @@ START_TEST(transform_agrees_with_quadrature) {
         compare_with_quadrature(&s, RADII[k]);
       }
 }
-END_TEST
 
 static double bumps(double r) {
   return r * r / 200.0 + 0.02 * (1.0 - cos(0.4 * r));
 }
 
-START_TEST(transform_of_a_table_agrees_with_quadrature) {
+TEST(transform_of_a_table_agrees_with_quadrature) {
   static const double RADII[] = {0.07, 3.0, 24.9, 39.3, 40.3, 97.0, 3000.0};
   const po_scene tables[] = {scene_of_table(parabola, 21, 40.0, 1.0, 0.3),
                              scene_of_table(bumps, 33, 40.0, 1.0, 0.3)};
@@ -130,10 +128,9 @@ START_TEST(transform_of_a_table_agrees_with_quadrature) {
     for (size_t k = 0; k < sizeof RADII / sizeof *RADII; ++k)
       compare_with_quadrature(&tables[i], RADII[k]);
 }
-END_TEST
 
 /* A spline meets a parabola, and so does the power beyond its end. */
-START_TEST(table_of_a_sphere_gives_its_theory) {
+LOOP_TEST(table_of_a_sphere_gives_its_theory, 0, 2) {
   const po_scene s = scene_of_table(parabola, 21, 20.0, _i ? 2.5 : 1.0, 0.3);
   po_scene sphere = scene_of_words("sphere", "-", 0.3);
   if (_i) { /* the numbers in units of 2.5 eps: r^2/200 is then r^2/500 */
@@ -150,10 +147,9 @@ START_TEST(table_of_a_sphere_gives_its_theory) {
             expected.contact_radius, 1e-11 * expected.contact_radius);
   }
 }
-END_TEST
 
 /* The sphere with one wave and with none by the formulas of the paper. */
-START_TEST(jkr_of_the_paper_is_a_case) {
+TEST(jkr_of_the_paper_is_a_case) {
   static const double TABOR[] = {1.1e-3, 0.3, 5.0, 300.0}, LENGTH[] = {3.0, 20.0, 170.0};
   for (int m = 0; m < 4; ++m)
     for (int l = 0; l < 3; ++l)
@@ -183,12 +179,11 @@ START_TEST(jkr_of_the_paper_is_a_case) {
                 1e-11 * last);
       }
 }
-END_TEST
 
 /* C r^n: a_c^(2n-1) = xi^2 pi c/(2 (n kappa C)^2) with xi = 3 at given load and 1 at given
  * approach, the load -(2n-1)/(n+1) sqrt(8 a^3/(pi c))/2, over eighteen decades of the factor and of
  * the coupling. */
-START_TEST(pull_off_of_powers_over_many_decades) {
+TEST(pull_off_of_powers_over_many_decades) {
   for (double n = 1.0; n < 12.0; n *= 1.7)
     for (double factor = 1e-12; factor < 1e7; factor *= 1e3)
       for (double coupling = 1e-9; coupling < 1e10; coupling *= 1e3) {
@@ -213,11 +208,10 @@ START_TEST(pull_off_of_powers_over_many_decades) {
         compare("last contact radius", &s, last, got.contact_radius, last, 1e-12 * last);
       }
 }
-END_TEST
 
 /* dU = W dDelta: the energy by quadrature against that integrated along the curve, by Simpson's
  * rule between near radii. */
-START_TEST(energy_is_the_work_of_the_load) {
+TEST(energy_is_the_work_of_the_load) {
   for (int p = 0; p < PROFILE_COUNT; ++p)
     for (int w = 0; w < 2; ++w) {
       const po_scene s = scene_of_words(PROFILES[p], WAVES[w], 0.3);
@@ -238,11 +232,10 @@ START_TEST(energy_is_the_work_of_the_load) {
       }
     }
 }
-END_TEST
 
 /* The gap outside the contact, by the deflection of the half-space: f - D + u, u = (2/pi) times the
  * integral of (D - g)/sqrt(r^2 - x^2) over the contact. For a sphere it is closed. */
-START_TEST(gap_outside_is_that_of_the_sphere) {
+TEST(gap_outside_is_that_of_the_sphere) {
   const po_scene s = scene_of_words("sphere", "-", 0.3);
   const double a = 9.0, R = s.radius, D = po_jkr_profile_at(&s, a).approach;
   for (double r = 1.0001 * a; r < 5.0 * a; r *= 1.2) {
@@ -253,9 +246,8 @@ START_TEST(gap_outside_is_that_of_the_sphere) {
             1e-13 * (1.0 + fabs(D)));
   }
 }
-END_TEST
 
-START_TEST(overlap_outside_is_found) {
+TEST(overlap_outside_is_found) {
   double gap, radius;
   po_contact c;
   const po_scene smooth = scene_of_words("sphere", "-", 0.3);
@@ -269,11 +261,10 @@ START_TEST(overlap_outside_is_found) {
   ck_assert_double_gt(radius, 7.0);
   compare("gap", &deep, radius, gap, po_abel_gap(&deep, 7.0, c.approach, radius), 1e-12);
 }
-END_TEST
 
 /* The minima that the searches find are those of a dense scan: the lowest, and for the load at each
  * of them the last one that is not above it. */
-START_TEST(minima_are_those_of_a_scan) {
+TEST(minima_are_those_of_a_scan) {
   const po_scene s = scene_of_words("sphere", "0.4@10;0.1@3", 0.05);
   po_contact found[64], least;
   size_t count = 0, deepest = 0;
@@ -301,43 +292,25 @@ START_TEST(minima_are_those_of_a_scan) {
           2e-3);
   ck_assert_double_le(least.load, found[deepest].load);
 }
-END_TEST
 
-START_TEST(unusable_profiles_are_refused) {
+TEST(unusable_profiles_are_refused) {
   po_contact c;
   po_scene s = scene_of_words("cone:0.3", "-", 0.05);
   s.tabor = 0.0;
   ck_assert(po_jkr_profile_pull_off(&s, PO_FIXED_LOAD, &c) == PO_BAD_INPUT);
   ck_assert(isnan(po_jkr_profile_last_minimum(&s, -1.0, 0.1)));
 }
-END_TEST
 
 /* The search for the last minimum began at the radius 0 and did not end. */
-START_TEST(a_sphere_beyond_the_range_of_numbers_is_refused) {
+TEST(a_sphere_beyond_the_range_of_numbers_is_refused) {
   po_scene scene = po_scene_default();
   scene.tabor = 7.3e-102;
   scene.radius = 2.5e-300;
   po_contact least;
   ck_assert_int_eq(po_jkr_profile_pull_off(&scene, PO_FIXED_LOAD, &least), PO_BAD_INPUT);
 }
-END_TEST
 
-static void add(TCase *tests) {
+static void silence_gsl(void) {
   gsl_set_error_handler_off();
-  tcase_add_test(tests, jkr_agrees_with_the_table);
-  tcase_add_test(tests, transform_agrees_with_quadrature);
-  tcase_add_test(tests, transform_of_a_table_agrees_with_quadrature);
-  tcase_add_loop_test(tests, table_of_a_sphere_gives_its_theory, 0, 2);
-  tcase_add_test(tests, jkr_of_the_paper_is_a_case);
-  tcase_add_test(tests, pull_off_of_powers_over_many_decades);
-  tcase_add_test(tests, energy_is_the_work_of_the_load);
-  tcase_add_test(tests, gap_outside_is_that_of_the_sphere);
-  tcase_add_test(tests, overlap_outside_is_found);
-  tcase_add_test(tests, minima_are_those_of_a_scan);
-  tcase_add_test(tests, unusable_profiles_are_refused);
-  tcase_add_test(tests, a_sphere_beyond_the_range_of_numbers_is_refused);
 }
-
-int main(void) {
-  return run_case("tables_profiles", add);
-}
+FIXTURE(silence_gsl, NULL)

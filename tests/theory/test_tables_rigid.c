@@ -7,7 +7,7 @@
 /* The tolerance that the header states. */
 static const double RIGID_ACCURACY = 1e-10;
 
-START_TEST(rigid_pull_off_agrees_with_the_table) {
+TEST(rigid_pull_off_agrees_with_the_table) {
   table t = table_open("rigid_pull_off.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_rigid_pull_off got =
@@ -16,13 +16,4 @@ START_TEST(rigid_pull_off_agrees_with_the_table) {
     table_compare(&t, row, "approach", got.approach, RIGID_ACCURACY);
   }
   table_close(&t, "pull-off of Eq 22", 153, 2);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, rigid_pull_off_agrees_with_the_table);
-}
-
-int main(void) {
-  return run_case("tables_rigid", add);
 }

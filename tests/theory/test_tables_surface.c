@@ -11,7 +11,7 @@
 /* The tolerances stated in po_element.h and po_rigid.h. */
 static const double RING_ACCURACY = 1e-15, TRIANGLE_ACCURACY = 1e-12, RIGID_ACCURACY = 1e-9;
 
-START_TEST(ring_agrees_with_the_table) {
+TEST(ring_agrees_with_the_table) {
   table t = table_open("kernel.csv");
   size_t rings = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -30,9 +30,8 @@ START_TEST(ring_agrees_with_the_table) {
   t.csv.row_count = rings;
   table_close(&t, "rings", 33, 1);
 }
-END_TEST
 
-START_TEST(triangle_agrees_with_the_table) {
+TEST(triangle_agrees_with_the_table) {
   table t = table_open("kernel.csv");
   size_t triangles = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -59,7 +58,6 @@ START_TEST(triangle_agrees_with_the_table) {
   t.csv.row_count = triangles;
   table_close(&t, "triangles", 39, 1);
 }
-END_TEST
 
 /* The rows depend on alpha only, so any radius may be chosen. */
 static po_scene rigid_scene(const table *t, size_t row) {
@@ -70,7 +68,7 @@ static po_scene rigid_scene(const table *t, size_t row) {
                     .outer_radius = INFINITY};
 }
 
-START_TEST(rigid_load_agrees_with_the_table) {
+TEST(rigid_load_agrees_with_the_table) {
   table t = table_open("rigid_integral.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene scene = rigid_scene(&t, row);
@@ -81,7 +79,6 @@ START_TEST(rigid_load_agrees_with_the_table) {
   }
   table_close(&t, "load of the solver's rigid limit", 80, 1);
 }
-END_TEST
 
 typedef struct {
   double force, approach;
@@ -94,7 +91,7 @@ static bool look(const po_branch_point *p, void *data) {
   return false;
 }
 
-START_TEST(rigid_pull_off_agrees_with_the_table) {
+TEST(rigid_pull_off_agrees_with_the_table) {
   table t = table_open("rigid_pull_off.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene scene = rigid_scene(&t, row);
@@ -109,16 +106,4 @@ START_TEST(rigid_pull_off_agrees_with_the_table) {
     table_compare(&t, row, "approach", d.approach, 1e-8);
   }
   table_close(&t, "pull-off of the solver's rigid limit", 153, 2);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, ring_agrees_with_the_table);
-  tcase_add_test(tests, triangle_agrees_with_the_table);
-  tcase_add_test(tests, rigid_load_agrees_with_the_table);
-  tcase_add_test(tests, rigid_pull_off_agrees_with_the_table);
-}
-
-int main(void) {
-  return run_case("tables_surface", add);
 }

@@ -33,7 +33,7 @@ static po_contact terms_at(const po_scene *s, double a) {
   };
 }
 
-START_TEST(guduru_agrees_with_the_table) {
+TEST(guduru_agrees_with_the_table) {
   table t = table_open("guduru.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -44,9 +44,8 @@ START_TEST(guduru_agrees_with_the_table) {
   }
   table_close(&t, "Eq 5", 108, 2);
 }
-END_TEST
 
-START_TEST(guduru_pull_off_agrees_with_the_table) {
+TEST(guduru_pull_off_agrees_with_the_table) {
   table t = table_open("guduru_pull_off.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -58,12 +57,11 @@ START_TEST(guduru_pull_off_agrees_with_the_table) {
   }
   table_close(&t, "pull-off of Eq 5", 74, 3);
 }
-END_TEST
 
 /* The states of jkr_grooves_path.csv whose contact is a disc are those of Eq 5, since the pressure
  * does not depend on the gap outside. With lambda = R = epsilon, alpha is the amplitude and beta =
  * 1/(2 pi mu^1.5). The table has 12 digits; its errors are below 1e-9. */
-START_TEST(guduru_agrees_with_discs_between_grooves) {
+TEST(guduru_agrees_with_discs_between_grooves) {
   table t = table_open("jkr_grooves_path.csv");
   size_t discs = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -87,9 +85,8 @@ START_TEST(guduru_agrees_with_discs_between_grooves) {
   printf("%s: %zu discs, at most %.3f of the tolerance\n", t.csv.path, discs, t.worst);
   po_csv_clear(&t.csv);
 }
-END_TEST
 
-START_TEST(envelope_agrees_with_the_table) {
+TEST(envelope_agrees_with_the_table) {
   table t = table_open("kesari_lew.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -110,11 +107,10 @@ START_TEST(envelope_agrees_with_the_table) {
   }
   table_close(&t, "envelope of Eq 5", 73, 6);
 }
-END_TEST
 
 /* Of a smooth sphere the number of Maugis decides alone: any Tabor parameter with the tension that
  * belongs to it. */
-START_TEST(transition_agrees_with_the_table) {
+TEST(transition_agrees_with_the_table) {
   table t = table_open("transition.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const double lambda = table_number(&t, row, "maugis_parameter");
@@ -133,9 +129,8 @@ START_TEST(transition_agrees_with_the_table) {
   }
   table_close(&t, "transition from Bradley to JKR", 15, 6);
 }
-END_TEST
 
-START_TEST(edges_agree_with_the_table) {
+TEST(edges_agree_with_the_table) {
   table t = table_open("kesari_lew_edges.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -154,9 +149,8 @@ START_TEST(edges_agree_with_the_table) {
   }
   table_close(&t, "edges of the envelope", 50, 4);
 }
-END_TEST
 
-START_TEST(rigid_load_agrees_with_the_table) {
+TEST(rigid_load_agrees_with_the_table) {
   table t = table_open("rigid_integral.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const double load =
@@ -166,9 +160,8 @@ START_TEST(rigid_load_agrees_with_the_table) {
   }
   table_close(&t, "Eq 22", 80, 1);
 }
-END_TEST
 
-START_TEST(bradley_agrees_with_the_table) {
+TEST(bradley_agrees_with_the_table) {
   table t = table_open("bradley.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const double approach = table_number(&t, row, "approach"), x = 1.0 - approach;
@@ -179,20 +172,8 @@ START_TEST(bradley_agrees_with_the_table) {
   }
   table_close(&t, "Eq 23", 170, 1);
 }
-END_TEST
 
-static void add(TCase *tests) {
+static void silence_gsl(void) {
   gsl_set_error_handler_off();
-  tcase_add_test(tests, guduru_agrees_with_the_table);
-  tcase_add_test(tests, guduru_pull_off_agrees_with_the_table);
-  tcase_add_test(tests, guduru_agrees_with_discs_between_grooves);
-  tcase_add_test(tests, envelope_agrees_with_the_table);
-  tcase_add_test(tests, transition_agrees_with_the_table);
-  tcase_add_test(tests, edges_agree_with_the_table);
-  tcase_add_test(tests, rigid_load_agrees_with_the_table);
-  tcase_add_test(tests, bradley_agrees_with_the_table);
 }
-
-int main(void) {
-  return run_case("tables_theory", add);
-}
+FIXTURE(silence_gsl, NULL)

@@ -1,5 +1,6 @@
-/* Runs the tests of one Check case as a program: the exit status says whether all passed. The
- * environment variable RUN_TESTS names those that are run, separated by blanks (default: all). */
+/* The tests of a file as a program: TEST, LOOP_TEST and TABLE_TEST begin a test like the head of a
+ * function, and main runs all of them; the exit status says whether all passed. The environment
+ * variable RUN_TESTS names those that are run, separated by blanks (default: all). */
 #ifndef RUN_H
 #define RUN_H
 
@@ -9,27 +10,55 @@
 #include <stdlib.h>
 #include <string.h>
 
-static inline bool is_asked(const char *test) {
+static struct {
+  const TTest **test;
+  const char *name;
+  int begin, end;
+} all_tests[100];
+static size_t test_count;
+static SFun before_each, after_each;
+
+static void add_test(const TTest **test, const char *name, int begin, int end) {
+  if (test_count == sizeof all_tests / sizeof *all_tests)
+    abort();
+  all_tests[test_count].test = test;
+  all_tests[test_count].name = name;
+  all_tests[test_count].begin = begin;
+  all_tests[test_count++].end = end;
+}
+
+/* A test that is run for each _i from BEGIN to END - 1, for each row of a table, and once. */
+#define LOOP_TEST(NAME, BEGIN, END)                                                                \
+  static const TTest *NAME;                                                                        \
+  __attribute__((constructor)) static void add_##NAME(void) {                                      \
+    add_test(&NAME, #NAME, BEGIN, END);                                                            \
+  }                                                                                                \
+  START_TEST(NAME)
+#define TABLE_TEST(NAME, TABLE) LOOP_TEST(NAME, 0, (int)(sizeof TABLE / sizeof *TABLE))
+#define TEST(NAME) LOOP_TEST(NAME, 0, 1)
+
+/* Functions that are called before and after each test; NULL: none. */
+#define FIXTURE(BEFORE, AFTER)                                                                     \
+  __attribute__((constructor)) static void set_fixture(void) {                                     \
+    before_each = BEFORE;                                                                          \
+    after_each = AFTER;                                                                            \
+  }
+
+static bool is_asked(const char *test) {
   char list[1000], name[200];
   snprintf(list, sizeof list, " %s ", getenv("RUN_TESTS") ? getenv("RUN_TESTS") : test);
   snprintf(name, sizeof name, " %s ", test);
   return strstr(list, name);
 }
 
-#undef tcase_add_loop_test
-#define tcase_add_loop_test(tests, test, begin, end)                                               \
-  do {                                                                                             \
-    if (is_asked(#test))                                                                           \
-      tcase_add_loop_test_raise_signal(tests, test, 0, begin, end);                                \
-  } while (0)
-#undef tcase_add_test
-#define tcase_add_test(tests, test) tcase_add_loop_test(tests, test, 0, 1)
-
-static inline int run_case(const char *name, void (*add)(TCase *tests)) {
-  Suite *suite = suite_create(name);
-  TCase *tests = tcase_create(name);
-  tcase_set_timeout(tests, 120.0);
-  add(tests);
+int main(void) {
+  Suite *suite = suite_create(__BASE_FILE__);
+  TCase *tests = tcase_create(__BASE_FILE__);
+  tcase_set_timeout(tests, 200.0);
+  tcase_add_checked_fixture(tests, before_each, after_each);
+  for (size_t k = 0; k < test_count; ++k)
+    if (is_asked(all_tests[k].name))
+      tcase_add_loop_test(tests, *all_tests[k].test, all_tests[k].begin, all_tests[k].end);
   suite_add_tcase(suite, tests);
   SRunner *runner = srunner_create(suite);
   srunner_run_all(runner, CK_NORMAL);

@@ -9,24 +9,22 @@
 #include "po_status.h"
 #include "run.h"
 
-START_TEST(statuses_have_names_and_texts) {
+TEST(statuses_have_names_and_texts) {
   ck_assert_str_eq(po_status_name(PO_STEP_TOO_SMALL), "step_too_small");
   ck_assert_str_eq(po_status_name(PO_OK), "ok");
   ck_assert_str_eq(po_status_text(PO_BAD_INPUT), "bad input");
   ck_assert_int_lt(PO_BAD_INPUT, 0);
   ck_assert_int_gt(PO_NOT_CONVERGED, 0);
 }
-END_TEST
 
-START_TEST(message_is_one_line) {
+TEST(message_is_one_line) {
   ck_assert_int_eq(po_fail(PO_BAD_INPUT, "first\nsecond %d", 2385), PO_BAD_INPUT);
   ck_assert_str_eq(po_message(), "first second 2385");
   po_message_clear();
   ck_assert_str_eq(po_message(), "");
 }
-END_TEST
 
-START_TEST(allocation_is_aligned_zeroed_and_checked) {
+TEST(allocation_is_aligned_zeroed_and_checked) {
   double *x = po_allocate(23, sizeof *x);
   ck_assert_ptr_nonnull(x);
   ck_assert_uint_eq((uintptr_t)x % 64, 0);
@@ -37,9 +35,8 @@ START_TEST(allocation_is_aligned_zeroed_and_checked) {
   ck_assert_ptr_nonnull(strstr(po_message(), "more than can be addressed"));
   ck_assert_ptr_null(po_resize(NULL, SIZE_MAX / 4, 8));
 }
-END_TEST
 
-START_TEST(arrays_are_freed_together) {
+TEST(arrays_are_freed_together) {
   po_arena arrays = {0};
   for (int round = 0; round < 2; ++round) {
     double *x = po_arena_allocate(&arrays, 23, sizeof *x);
@@ -57,7 +54,6 @@ START_TEST(arrays_are_freed_together) {
     ck_assert(!arrays.ran_out);
   }
 }
-END_TEST
 
 /* A text of unknown origin, and the text that is printed for it. */
 static const struct {
@@ -78,17 +74,16 @@ static const struct {
     {"cut \347\220", "cut \\xe7\\x90"},
 };
 
-START_TEST(quotes_are_safe_to_show) {
+TABLE_TEST(quotes_are_safe_to_show, QUOTES) {
   char shown[PO_QUOTE_LENGTH];
   ck_assert_str_eq(po_quote(QUOTES[_i].text, shown), QUOTES[_i].shown);
   ck_assert_ptr_null(po_quote_find(shown, strlen(shown)));
   po_fail(PO_BAD_INPUT, "it is %s", shown);
   ck_assert_str_eq(po_message() + strlen("it is "), shown);
 }
-END_TEST
 
 /* A quote of any size fits its buffer, and no character is cut in two. */
-START_TEST(quotes_are_cut_between_characters) {
+TEST(quotes_are_cut_between_characters) {
   static const char TEXT[] = "\303\266\347\220\203\033x\377";
   for (size_t size = 1; size <= 24; ++size) {
     char shown[32];
@@ -105,9 +100,8 @@ START_TEST(quotes_are_cut_between_characters) {
   ck_assert_str_eq(shown + PO_QUOTE_BYTES - 1, PO_QUOTE_CUT);
   ck_assert_str_eq(po_quote(text + 1, shown), text + 1); /* of 80 bytes */
 }
-END_TEST
 
-START_TEST(an_array_grows_when_it_is_full) {
+TEST(an_array_grows_when_it_is_full) {
   int *array = NULL;
   size_t room = 0;
   for (int count = 0; count < 1000; ++count) {
@@ -125,7 +119,6 @@ START_TEST(an_array_grows_when_it_is_full) {
   ck_assert_int_eq(array[999], 2997);
   free(array);
 }
-END_TEST
 
 /* Context: a counter of the comparisons. */
 static int by_tens(const void *a, const void *b, void *context) {
@@ -133,30 +126,14 @@ static int by_tens(const void *a, const void *b, void *context) {
   return *(const int *)a / 10 - *(const int *)b / 10;
 }
 
-START_TEST(sorting_keeps_the_order_of_equal_items) {
+LOOP_TEST(sorting_keeps_the_order_of_equal_items, 0, 61) {
   enum { MOST = 1000 };
+  const int count = _i < 60 ? _i : MOST;
   int items[MOST], room[MOST], comparisons = 0;
-  for (int k = 0; k < _i; ++k) /* seven tens in turn, and within one ten ascending at first */
-    items[k] = 10 * ((k * 5 + 3) % 7) + k / (_i / 10 + 1);
-  po_order_sort(items, (size_t)_i, sizeof *items, by_tens, &comparisons, room);
-  for (int k = 1; k < _i; ++k)
+  for (int k = 0; k < count; ++k) /* seven tens in turn, and within one ten ascending at first */
+    items[k] = 10 * ((k * 5 + 3) % 7) + k / (count / 10 + 1);
+  po_order_sort(items, (size_t)count, sizeof *items, by_tens, &comparisons, room);
+  for (int k = 1; k < count; ++k)
     ck_assert_int_le(items[k - 1], items[k]);
   ck_assert_int_le(comparisons, 10 * MOST);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, sorting_keeps_the_order_of_equal_items, 0, 60);
-  tcase_add_loop_test(tests, sorting_keeps_the_order_of_equal_items, 1000, 1001);
-  tcase_add_test(tests, an_array_grows_when_it_is_full);
-  tcase_add_loop_test(tests, quotes_are_safe_to_show, 0, sizeof QUOTES / sizeof *QUOTES);
-  tcase_add_test(tests, quotes_are_cut_between_characters);
-  tcase_add_test(tests, statuses_have_names_and_texts);
-  tcase_add_test(tests, message_is_one_line);
-  tcase_add_test(tests, allocation_is_aligned_zeroed_and_checked);
-  tcase_add_test(tests, arrays_are_freed_together);
-}
-
-int main(void) {
-  return run_case("base", add);
 }

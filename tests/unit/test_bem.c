@@ -63,7 +63,7 @@ static double panel_deflection(const double *edge, size_t panels, size_t order, 
 
 /* The load of t^(decay + k) on the panel from b to infinity is b^2/(decay + k - 2); weights are
  * exact for k < order, whether the decay is a whole number or not. */
-START_TEST(weights_to_infinity_are_exact) {
+LOOP_TEST(weights_to_infinity_are_exact, 0, 5) {
   static const double DECAYS[] = {6.0, 8.0, 5.182, 4.3, 2.7};
   enum { ORDER = 12 };
   const double begin = 2.385;
@@ -78,26 +78,23 @@ START_TEST(weights_to_infinity_are_exact) {
     ck_assert_double_eq_tol(load * (DECAYS[_i] + k - 2.0) / (begin * begin), 1.0, 1e-13);
   }
 }
-END_TEST
 
-START_TEST(panels_give_the_deflection_of_a_gaussian_traction) {
+LOOP_TEST(panels_give_the_deflection_of_a_gaussian_traction, 0, RADIUS_COUNT) {
   static const double EDGES[] = {0.0, 0.5, 1.3, 2.0, 2.8, 4.0, 6.5};
   const double r = RADII[_i];
   ck_assert_double_eq_tol(panel_deflection(EDGES, 6, 16, r, gauss_traction), gauss_deflection(r),
                           2e-13);
 }
-END_TEST
 
-START_TEST(panel_to_infinity_integrates_the_tail) {
+LOOP_TEST(panel_to_infinity_integrates_the_tail, 0, RADIUS_COUNT) {
   static const double EDGES[] = {0.0, 0.5, 1.0, 2.0, 5.0, INFINITY};
   const double r = RADII[_i];
   ck_assert_double_eq_tol(panel_deflection(EDGES, 5, 20, r, algebraic_traction),
                           algebraic_deflection(r), 1e-11);
 }
-END_TEST
 
-START_TEST(
-    panel_weights_integrate_the_traction_to_the_load) { /* integral of (1 + s^2)^-3 s ds = 1/4 */
+/* The integral of (1 + s^2)^-3 s ds is 1/4. */
+TEST(panel_weights_integrate_the_traction_to_the_load) {
   static const double EDGES[] = {0.0, 0.5, 1.0, 2.0, 5.0, INFINITY};
   po_panel_rule rule;
   double sum = 0.0;
@@ -110,7 +107,6 @@ START_TEST(
   }
   ck_assert_double_eq_tol(sum, 0.25, 1e-13);
 }
-END_TEST
 
 /* Integral of G(r, s) s p(s) ds in Copson's form, for a hat function p on (a, c) with its peak at
  * b.
@@ -176,7 +172,7 @@ static double hat_deflection(double a, double b, double c, double r) {
   return 4.0 / M_PI * sum;
 }
 
-START_TEST(triangle_coefficients_agree_with_quadrature) { /* 1e-12 relative, diagonal and neighbours
+TEST(triangle_coefficients_agree_with_quadrature) { /* 1e-12 relative, diagonal and neighbours
                                                              included */
   enum { N = 40 };
   double node[N], row[N];
@@ -196,11 +192,10 @@ START_TEST(triangle_coefficients_agree_with_quadrature) { /* 1e-12 relative, dia
   }
   po_triangle_destroy(triangle);
 }
-END_TEST
 
 /* Coefficients may be stored with a stride, such as in a row of a matrix. They are the same numbers
  * as without a stride, and the places in between keep their contents. */
-START_TEST(coefficients_do_not_depend_on_the_stride) {
+LOOP_TEST(coefficients_do_not_depend_on_the_stride, 0, 4) {
   enum { N = 40, APART = 7 };
   static const double AT[] = {0.0, 0.31, 3.85, 200.0};
   double node[N + 1], plain[N + 1], row[APART * (N + 1)];
@@ -228,7 +223,6 @@ START_TEST(coefficients_do_not_depend_on_the_stride) {
   }
   po_triangle_destroy(triangle);
 }
-END_TEST
 
 /* Largest error of the deflection of a surface under a traction, at the nodes with r <= up_to. */
 static double surface_error(po_scheme scheme, po_grading grading, size_t nodes, double outer,
@@ -251,7 +245,7 @@ static double surface_error(po_scheme scheme, po_grading grading, size_t nodes, 
   return worst;
 }
 
-START_TEST(schemes_converge_at_second_order) {
+LOOP_TEST(schemes_converge_at_second_order, 0, 4) {
   const po_scheme scheme = _i / 2 ? PO_TRIANGLE : PO_RING;
   const po_grading grading = _i % 2 ? PO_GRADED : PO_UNIFORM;
   const double coarse =
@@ -271,9 +265,9 @@ START_TEST(schemes_converge_at_second_order) {
       surface_error(scheme, grading, 400 + end, 2.0, hertz_traction, hertz_deflection, 1.0);
   ck_assert_double_ge(log2(rough / smooth) / 2.0, 1.3);
 }
-END_TEST
 
-START_TEST(weights_add_up_to_the_area_of_the_disc) { /* integral of r dr over the disc, and of dr */
+LOOP_TEST(weights_add_up_to_the_area_of_the_disc, 0,
+          4) { /* integral of r dr over the disc, and of dr */
   const po_mesh mesh = {_i / 2 ? PO_TRIANGLE : PO_RING, _i % 2 ? PO_GRADED : PO_UNIFORM, 73, 0.0};
   po_scene scene = po_scene_default();
   scene.outer_radius = 23.85;
@@ -287,20 +281,4 @@ START_TEST(weights_add_up_to_the_area_of_the_disc) { /* integral of r dr over th
   ck_assert_double_eq_tol(area, 0.5 * gsl_pow_2(scene.outer_radius), 1e-11);
   ck_assert_double_eq_tol(length, scene.outer_radius, 1e-12);
   po_surface_destroy(s);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, weights_to_infinity_are_exact, 0, 5);
-  tcase_add_loop_test(tests, panels_give_the_deflection_of_a_gaussian_traction, 0, RADIUS_COUNT);
-  tcase_add_loop_test(tests, panel_to_infinity_integrates_the_tail, 0, RADIUS_COUNT);
-  tcase_add_test(tests, panel_weights_integrate_the_traction_to_the_load);
-  tcase_add_test(tests, triangle_coefficients_agree_with_quadrature);
-  tcase_add_loop_test(tests, coefficients_do_not_depend_on_the_stride, 0, 4);
-  tcase_add_loop_test(tests, schemes_converge_at_second_order, 0, 4);
-  tcase_add_loop_test(tests, weights_add_up_to_the_area_of_the_disc, 0, 4);
-}
-
-int main(void) {
-  return run_case("bem", add);
 }

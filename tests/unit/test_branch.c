@@ -68,16 +68,15 @@ static int count_of(const seen *s, po_point_kind kind) {
 /* The curve of load against approach is S-shaped from mu = 0.697 on, not from mu = 1. At 0.70 the
  * two folds are 1.2e-4 apart in approach (reference/feng_landmarks.csv); an earlier version stepped
  * over them. */
-START_TEST(smooth_sphere_folds_from_0_697_on) {
+TEST(smooth_sphere_folds_from_0_697_on) {
   const seen below = trace(0.69, 801, INFINITY, NAN), above = trace(0.70, 801, INFINITY, NAN);
   ck_assert_int_eq(count_of(&below, PO_POINT_APPROACH_MAX), 0);
   ck_assert_int_eq(count_of(&above, PO_POINT_APPROACH_MAX), 1);
   ck_assert_int_eq(count_of(&above, PO_POINT_APPROACH_MIN), 1);
   ck_assert_int_eq(count_of(&above, PO_POINT_LOAD_MIN), 1);
 }
-END_TEST
 
-START_TEST(folds_alternate_and_account_for_every_turn) {
+TEST(folds_alternate_and_account_for_every_turn) {
   /* The mesh is so coarse that it has spurious folds; these must not be missed either. */
   const seen s = trace(3.0, 301, INFINITY, NAN);
   int turns = 0;
@@ -96,11 +95,10 @@ START_TEST(folds_alternate_and_account_for_every_turn) {
   ck_assert_int_le(s.sign_changes, turns);
   ck_assert_int_eq((turns - s.sign_changes) % 2, 0);
 }
-END_TEST
 
 /* On 201 rings at mu = 2.6421 the approach turns twice within 6e-4. Steps whose predictions erred
  * by up to 0.2 of 1 + H passed over both folds. */
-START_TEST(folds_near_each_other_are_found) {
+TEST(folds_near_each_other_are_found) {
   po_scene scene = po_scene_default();
   scene.tabor = 2.6421;
   const po_mesh mesh = {PO_RING, PO_UNIFORM, 201, 0.0};
@@ -108,10 +106,9 @@ START_TEST(folds_near_each_other_are_found) {
   ck_assert_int_eq(count_of(&s, PO_POINT_APPROACH_MAX), 2);
   ck_assert_int_eq(count_of(&s, PO_POINT_APPROACH_MIN), 2);
 }
-END_TEST
 
 /* On the same mesh, another sequence of steps gives the same special points to 1e-10. */
-START_TEST(special_points_do_not_depend_on_the_steps) {
+TEST(special_points_do_not_depend_on_the_steps) {
   const seen a = trace(1.3, 201, 60.0, NAN), b = trace(1.3, 201, 60.0, -1.9);
   ck_assert_int_eq(a.count + 1, b.count); /* the station */
   for (int k = 0, j = 0; k < a.count; ++k, ++j) {
@@ -126,7 +123,6 @@ START_TEST(special_points_do_not_depend_on_the_steps) {
       ck_assert_double_eq_tol(a.point[k].approach, b.point[j].approach, 1e-10);
   }
 }
-END_TEST
 
 /* Number of negative eigenvalues of the Jacobian I - coupling G diag(slope). This is the number of
  * unstable modes, which the trace counts from the turns of the curve instead. */
@@ -160,7 +156,7 @@ static bool count_modes(const po_branch_point *p, void *data) {
   return p->load > 0.5 && p->unstable_modes == 0;
 }
 
-START_TEST(unstable_modes_agree_with_the_eigenvalues) {
+LOOP_TEST(unstable_modes_agree_with_the_eigenvalues, 0, 3) {
   static const double SCENES[][3] = {{1.5, 0.0, 0.0}, {5.0, 0.0, 0.0}, {3.0, 1.0, 20.0}};
   const po_scene scene = {SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 100.0, 60.0};
   const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, 81, 0.0};
@@ -176,7 +172,6 @@ START_TEST(unstable_modes_agree_with_the_eigenvalues) {
   po_equilibrium_destroy(s.e);
   po_surface_destroy(surface);
 }
-END_TEST
 
 static bool never(const po_branch_point *p, void *data) {
   (void)p;
@@ -184,7 +179,7 @@ static bool never(const po_branch_point *p, void *data) {
   return false;
 }
 
-START_TEST(trace_ends_at_its_end_or_at_the_limit_of_points) {
+TEST(trace_ends_at_its_end_or_at_the_limit_of_points) {
   po_scene scene = po_scene_default();
   const po_mesh mesh = {PO_RING, PO_GRADED, 101, 0.0};
   po_surface *surface = NULL;
@@ -207,7 +202,6 @@ START_TEST(trace_ends_at_its_end_or_at_the_limit_of_points) {
   po_equilibrium_destroy(e);
   po_surface_destroy(surface);
 }
-END_TEST
 
 /* A curve with one fold: the approach is a parabola of the parameter, the load the parameter. */
 static po_status solve_parabola(void *data, double at, bool roughly, po_sample *sample) {
@@ -226,7 +220,7 @@ static void keep_nothing(void *data, size_t place) {
 /* An approach just below a fold is passed twice in the step that contains the fold, and neither end
  * of the step shows it. `solve --tabor 1 --approach-end -1.6295` went past both and ended at the
  * third passage. */
-START_TEST(an_approach_that_a_fold_hides_is_met_before_and_after_it) {
+TEST(an_approach_that_a_fold_hides_is_met_before_and_after_it) {
   const double station[PO_STATIONS] = {0.29, NAN};
   const po_interval interval = {
       .solve = solve_parabola, .keep = keep_nothing, .station = station, .end = 0.2996};
@@ -243,19 +237,4 @@ START_TEST(an_approach_that_a_fold_hides_is_met_before_and_after_it) {
     ck_assert_double_eq_tol(found.list[k].root, EXPECTED[k], 1e-8);
     ck_assert_int_eq(found.list[k].of, KINDS[k]);
   }
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, an_approach_that_a_fold_hides_is_met_before_and_after_it);
-  tcase_add_test(tests, smooth_sphere_folds_from_0_697_on);
-  tcase_add_test(tests, folds_alternate_and_account_for_every_turn);
-  tcase_add_test(tests, folds_near_each_other_are_found);
-  tcase_add_test(tests, special_points_do_not_depend_on_the_steps);
-  tcase_add_loop_test(tests, unstable_modes_agree_with_the_eigenvalues, 0, 3);
-  tcase_add_test(tests, trace_ends_at_its_end_or_at_the_limit_of_points);
-}
-
-int main(void) {
-  return run_case("branch", add);
 }

@@ -23,7 +23,7 @@ static void fill(size_t n, double decades, unsigned seed, double *a) {
           (random_number(&seed) + (i == j)) * pow(10.0, -decades * (double)j / (double)n);
 }
 
-START_TEST(it_is_that_of_lapack) {
+LOOP_TEST(it_is_that_of_lapack, 0, MOST) {
   static const double DECADES[] = {0.0, 3.0, 11.0};
   static double a[MOST * MOST];
   const size_t n = (size_t)_i + 1;
@@ -42,21 +42,10 @@ START_TEST(it_is_that_of_lapack) {
     ck_assert_str_eq(own, of_lapack);
   }
 }
-END_TEST
 
-START_TEST(that_of_a_singular_matrix_is_infinite) {
+TEST(that_of_a_singular_matrix_is_infinite) {
   double a[] = {1.0, 2.0, 2.0, 4.0};
   int pivots[2];
   ck_assert_int_eq(po_linear_factorize(2, a, 2, pivots), PO_SINGULAR);
   ck_assert_double_infinite(po_linear_condition(2, a, 2, 6.0));
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, it_is_that_of_lapack, 0, MOST);
-  tcase_add_test(tests, that_of_a_singular_matrix_is_infinite);
-}
-
-int main(void) {
-  return run_case("condition", add);
 }

@@ -21,7 +21,7 @@ static po_scene flat_scene(void) {
   return (po_scene){1.0, 0.0, 0.0, 1e30, INFINITY};
 }
 
-START_TEST(radius_is_where_the_tension_is_greatest) {
+TEST(radius_is_where_the_tension_is_greatest) {
   const double node[4] = {0.0, 1.0, 2.0, 3.0};
   const double gap[4] = {0.0, 0.9, PEAK_GAP - 0.1, PEAK_GAP + 0.3}; /* a groove at 1 */
   const po_scene flat = flat_scene();
@@ -33,9 +33,8 @@ START_TEST(radius_is_where_the_tension_is_greatest) {
   g = gap_on_nodes(&flat, 2, node, closed); /* closed up to the end of the surface */
   ck_assert_double_eq(po_contact_radius(&g), 1.0);
 }
-END_TEST
 
-START_TEST(annuli_are_where_the_gap_is_small) {
+TEST(annuli_are_where_the_gap_is_small) {
   const double node[] = {0.5, 1.0, 2.0, 3.5, 4.0, 5.0};
   const double gap[] = {-0.1, 0.3, 0.1, -0.2, 0.2, 0.6};
   const po_scene flat = flat_scene();
@@ -61,7 +60,6 @@ START_TEST(annuli_are_where_the_gap_is_small) {
   free(a.compressed);
   free(a.held);
 }
-END_TEST
 
 static po_contact_gap rigid_gap(const po_scene *scene, double approach) {
   const po_branch_point point = {.approach = approach};
@@ -86,7 +84,7 @@ static double gap_of_crest(const po_scene *scene, double r) {
 /* The contact of a high crest is narrower than any step of a search; its half-width follows from
  * the curvature of the crest. An earlier version searched in steps of 1/256 of the wavelength and
  * missed a crest of A = 500 that penetrates by 1e-4. */
-START_TEST(a_high_crest_that_barely_touches_is_found) {
+TEST(a_high_crest_that_barely_touches_is_found) {
   const po_scene scene = {0.0, 500.0, 3.0, 100.0, INFINITY};
   const double k = 2.0 * M_PI / scene.wavelength, dip = 1e-4;
   const double crest = crest_near(&scene, 2.0);
@@ -99,11 +97,10 @@ START_TEST(a_high_crest_that_barely_touches_is_found) {
   ck_assert_double_lt(first, 1.1 * scene.wavelength); /* the previous crest */
   ck_assert_double_eq_tol(po_initial_gap(&scene, first), touching - dip + PEAK_GAP, 1e-10);
 }
-END_TEST
 
 /* The error of the gap is too large to decide whether the crest is in contact. Both radii are
  * stated, whichever is taken as the result. */
-START_TEST(a_crest_within_the_error_gives_both_radii) {
+TEST(a_crest_within_the_error_gives_both_radii) {
   const po_scene scene = {0.0, 2.385, 7.0, 90.0, INFINITY};
   const double crest = crest_near(&scene, 1.0), by = 1e-7;
   const double touching = gap_of_crest(&scene, crest) - PEAK_GAP;
@@ -123,11 +120,10 @@ START_TEST(a_crest_within_the_error_gives_both_radii) {
   ck_assert_double_nan(po_contact_estimate(&out, &certain).other);
   ck_assert_double_nan(po_contact_estimate(&in, &certain).other);
 }
-END_TEST
 
 /* All of more than a hundred crests are found. An earlier version had room for 48 edges and left
  * out the outermost. */
-START_TEST(no_annulus_is_left_out) {
+TEST(no_annulus_is_left_out) {
   const po_scene scene = {0.0, 3.0, 2.0, 2e5, INFINITY};
   const double approach = 0.8;
   size_t crests = 1; /* the axis */
@@ -147,13 +143,12 @@ START_TEST(no_annulus_is_left_out) {
   free(a.compressed);
   free(a.held);
 }
-END_TEST
 
 /* A loose and a tight tolerance give the same radius within the stated errors, and these errors
  * decrease with the tolerance. Linear interpolation between the nodes, as in an earlier version,
  * gives 13.5664 instead of 13.56821 at mu = 1 for any tolerance, and errors of 1 % on nearly rigid
  * spheres. */
-START_TEST(radius_differs_by_no_more_than_its_stated_error) {
+LOOP_TEST(radius_differs_by_no_more_than_its_stated_error, 0, 4) {
   static const po_scene SCENES[] = {{1.0, 0.0, 0.0, 100.0, INFINITY},
                                     {0.0137, 0.0, 0.0, 850.766, INFINITY},
                                     {3.0, 1.0, 20.0, 100.0, 100.0},
@@ -178,18 +173,4 @@ START_TEST(radius_differs_by_no_more_than_its_stated_error) {
     po_result_clear(&loose);
   }
   po_result_clear(&tight);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, radius_is_where_the_tension_is_greatest);
-  tcase_add_test(tests, annuli_are_where_the_gap_is_small);
-  tcase_add_test(tests, a_high_crest_that_barely_touches_is_found);
-  tcase_add_test(tests, a_crest_within_the_error_gives_both_radii);
-  tcase_add_test(tests, no_annulus_is_left_out);
-  tcase_add_loop_test(tests, radius_differs_by_no_more_than_its_stated_error, 0, 4);
-}
-
-int main(void) {
-  return run_case("contact", add);
 }

@@ -27,7 +27,7 @@ static errors errors_of(po_scheme scheme, po_grading grading, size_t elements) {
   return e;
 }
 
-START_TEST(triangles_and_rings_converge_at_second_order) {
+LOOP_TEST(triangles_and_rings_converge_at_second_order, 0, 4) {
   const po_scheme scheme = _i / 2 ? PO_TRIANGLE : PO_RING;
   const po_grading grading = _i % 2 ? PO_GRADED : PO_UNIFORM;
   errors e[3];
@@ -44,7 +44,6 @@ START_TEST(triangles_and_rings_converge_at_second_order) {
   ck_assert_double_lt(fabs(e[1].force), 1e-4);
   ck_assert_double_lt(fabs(e[2].approach), 1e-3);
 }
-END_TEST
 
 static bool deepest(const po_branch_point *p, void *data) {
   double *least = data;
@@ -73,7 +72,7 @@ static double pull_off(const po_scene *scene, double core, double size) {
 /* The far tail of an unbounded surface is accurate to 1e-8: the radius at which the elements end
  * and the panels begin does not change the result, once the error of the elements, of order h^2, is
  * removed by extrapolation. */
-START_TEST(tail_of_an_unbounded_surface_is_accurate_to_1e_8) {
+LOOP_TEST(tail_of_an_unbounded_surface_is_accurate_to_1e_8, 0, 2) {
   const po_scene scene = {1.0, _i ? 0.3 : 0.0, 15.0, 100.0, INFINITY};
   double load[2];
   for (int k = 0; k < 2; ++k) {
@@ -82,14 +81,4 @@ START_TEST(tail_of_an_unbounded_surface_is_accurate_to_1e_8) {
   }
   printf("%s: %.10f %.10f\n", _i ? "wavy" : "smooth", load[0], load[1]);
   ck_assert_double_eq_tol(load[0], load[1], 1e-8);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, triangles_and_rings_converge_at_second_order, 0, 4);
-  tcase_add_loop_test(tests, tail_of_an_unbounded_surface_is_accurate_to_1e_8, 0, 2);
-}
-
-int main(void) {
-  return run_case("convergence", add);
 }

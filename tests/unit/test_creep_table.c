@@ -42,7 +42,7 @@ static void check_inverse(double relaxed, const po_creep_terms *modulus) {
 
 /* Zeros in the middle, beside the shorter and beside the longer time, and pairs of times that are
  * nearly equal. */
-START_TEST(modulus_and_compliance_are_inverse) {
+TEST(modulus_and_compliance_are_inverse) {
   static const double WEIGHTS[][4] = {{1, 1, 1, 1},
                                       {1e-9, 1, 1e-9, 1},
                                       {1, 1e-9, 1, 1e-9},
@@ -64,7 +64,7 @@ START_TEST(modulus_and_compliance_are_inverse) {
   check_inverse(3.0, &many);
 }
 
-START_TEST(one_time_has_its_closed_form) {
+TEST(one_time_has_its_closed_form) {
   po_creep_terms c;
   po_creep_of_modulus(2.0, &(po_creep_terms){.count = 1, .term = {{0.25, 6.0}}}, &c);
   ck_assert_double_eq_tol(c.instant, 0.25, 1e-15);
@@ -89,7 +89,7 @@ static po_creep material_of(const char *content) {
 }
 
 /* All ways to write one body give the same terms. */
-START_TEST(a_body_has_many_tables) {
+TEST(a_body_has_many_tables) {
   static const char *const TABLES[] = {
       "time,compliance\n0.5,0.3\n4,0.5\n",
       "time_s,compliance_per_mpa\n0,2e-1\n0.5,0.3\n4,0.5\n",
@@ -140,7 +140,7 @@ static void check_same(po_creep a, double speed_a, po_creep b, double speed_b, d
   po_result_clear(&y);
 }
 
-START_TEST(a_table_of_the_standard_linear_solid_is_it) {
+TEST(a_table_of_the_standard_linear_solid_is_it) {
   const po_creep sls = {.kind = PO_CREEP_SLS, .ratio = 0.1};
   check_same(sls, 1.0, material_of("time,compliance\n0,0.1\n1,0.9\n"), 1.0, 0.0);
   check_same(sls, 1.0, material_of("time,modulus\n0.1,0.9\n"), 1.0, 1e-9);
@@ -150,7 +150,7 @@ START_TEST(a_table_of_the_standard_linear_solid_is_it) {
 }
 
 /* The Gamma spectrum by another rule than that of the program: steps of ln 1.2 in ln(tau). */
-START_TEST(a_table_of_a_gamma_spectrum_is_near_it) {
+TEST(a_table_of_a_gamma_spectrum_is_near_it) {
   static const double N = 0.6, STEP = 1.2;
   static char content[20000];
   double times[PO_MOST_CREEP_TERMS], weights[PO_MOST_CREEP_TERMS], sum = 0.0;
@@ -170,7 +170,7 @@ START_TEST(a_table_of_a_gamma_spectrum_is_near_it) {
 
 /* Of the independent solver: reference/make/viscoelastic.py --scene 1 0 20 100 inf
  * "terms:0.1;0.3@0.4;5@0.6" 5 1 - states 3.1553387 +- 9.5e-6 and 0.779056 +- 2.0e-5. */
-START_TEST(two_times_pull_off_as_the_independent_solver_has_it) {
+TEST(two_times_pull_off_as_the_independent_solver_has_it) {
   po_result result = solved(material_of("time,compliance\n0.3,0.36\n5,0.54\n"), 1.0);
   ck_assert_uint_eq(result.rate.terms, 2);
   ck_assert_double_eq_tol(result.pull_off.force, 3.15533871618508,
@@ -179,17 +179,4 @@ START_TEST(two_times_pull_off_as_the_independent_solver_has_it) {
                           result.pull_off.approach_error + 2.0e-5);
   ck_assert_double_lt(result.pull_off.force_error, 1e-4);
   po_result_clear(&result);
-}
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, modulus_and_compliance_are_inverse);
-  tcase_add_test(tests, one_time_has_its_closed_form);
-  tcase_add_test(tests, a_body_has_many_tables);
-  tcase_add_test(tests, a_table_of_the_standard_linear_solid_is_it);
-  tcase_add_test(tests, a_table_of_a_gamma_spectrum_is_near_it);
-  tcase_add_test(tests, two_times_pull_off_as_the_independent_solver_has_it);
-}
-
-int main(void) {
-  return run_case("creep_table", add);
 }

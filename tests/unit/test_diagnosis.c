@@ -41,7 +41,7 @@ static double difference(po_request *request, double *key) {
   return log(more / less) / log((1.0 + part) / (1.0 - part));
 }
 
-START_TEST(sensitivities_agree_with_finite_differences) {
+TEST(sensitivities_agree_with_finite_differences) {
   po_request request = awkward();
   request.want = PO_WANT_DIAGNOSTICS;
   po_result o;
@@ -57,7 +57,6 @@ START_TEST(sensitivities_agree_with_finite_differences) {
   ck_assert_double_eq_tol(by.wavelength + 2.0 * by.radius, 0.0, 1e-6);
   po_result_clear(&o);
 }
-END_TEST
 
 /* The sensitivities of the default output, without an adjoint solve, and those of the diagnostics.
  */
@@ -78,7 +77,7 @@ static void compare_with_adjoint_solve(po_request request) {
   po_result_clear(&diagnosed);
 }
 
-START_TEST(the_tangent_gives_the_sensitivities_without_a_solve) {
+LOOP_TEST(the_tangent_gives_the_sensitivities_without_a_solve, 0, 5) {
   static const struct {
     double tabor, amplitude, wavelength, outer_radius;
     const char *law;
@@ -96,9 +95,8 @@ START_TEST(the_tangent_gives_the_sensitivities_without_a_solve) {
   ck_assert(po_law_set(&request.scene.law, SCENES[_i].law));
   compare_with_adjoint_solve(request);
 }
-END_TEST
 
-START_TEST(residuals_are_small_and_the_force_keeps_its_digits) {
+TEST(residuals_are_small_and_the_force_keeps_its_digits) {
   po_request request = awkward();
   request.mesh.tolerance = 1e-6;
   request.want = PO_WANT_DIAGNOSTICS;
@@ -121,9 +119,8 @@ START_TEST(residuals_are_small_and_the_force_keeps_its_digits) {
   }
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(diagnostics_do_not_change_the_result) {
+TEST(diagnostics_do_not_change_the_result) {
   po_request request = awkward();
   request.mesh.tolerance = 1e-5;
   po_result plain, diagnosed;
@@ -138,7 +135,6 @@ START_TEST(diagnostics_do_not_change_the_result) {
   po_result_clear(&plain);
   po_result_clear(&diagnosed);
 }
-END_TEST
 
 /* A sphere so stiff that the tractions do not deform it, on 41 nodes. */
 static void create_stiff(po_surface **surface, po_equilibrium **e) {
@@ -150,7 +146,7 @@ static void create_stiff(po_surface **surface, po_equilibrium **e) {
 
 /* The solution of the stiff sphere is the undeformed gap, and its Jacobian is the unit matrix. A
  * gap that is changed by a known fraction of 1 + H has this fraction as its residual. */
-START_TEST(residual_and_condition_of_a_stiff_sphere_are_exact) {
+TEST(residual_and_condition_of_a_stiff_sphere_are_exact) {
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
   create_stiff(&surface, &e);
@@ -168,7 +164,6 @@ START_TEST(residual_and_condition_of_a_stiff_sphere_are_exact) {
   po_equilibrium_destroy(e);
   po_surface_destroy(surface);
 }
-END_TEST
 
 /* The 1-norm of the matrix [I u; v w], where I is the unit matrix of size n. */
 static double bordered_norm(size_t n, const double *u, const double *v, double w) {
@@ -196,7 +191,7 @@ static double inverse_norm(size_t n, const double *u, const double *v, double w)
 /* If tractions do not deform the sphere, an approach larger by 1 reduces every gap by 1. So the
  * tangent of the branch is known, and with it the border and the inverse of the bordered Jacobian
  * in closed form. */
-START_TEST(bordered_condition_of_a_stiff_sphere_is_exact) {
+LOOP_TEST(bordered_condition_of_a_stiff_sphere_is_exact, 0, 4) {
   static const double APPROACH[] = {-2.385, -0.3, 0.0, 0.385};
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
@@ -224,7 +219,6 @@ START_TEST(bordered_condition_of_a_stiff_sphere_is_exact) {
   po_equilibrium_destroy(e);
   po_surface_destroy(surface);
 }
-END_TEST
 
 static double digits_kept(double change) {
   po_result o = po_result_none();
@@ -232,23 +226,8 @@ static double digits_kept(double change) {
   return po_block_number(&PO_ALL_ROWS, &o, "diagnostics.moved.digits_kept");
 }
 
-START_TEST(number_of_digits_follows_from_the_relative_change) {
+TEST(number_of_digits_follows_from_the_relative_change) {
   ck_assert_double_eq_tol(digits_kept(2.5e-9), 8.602, 1e-3);
   ck_assert_double_eq_tol(digits_kept(0.0), 15.95, 0.01);
   ck_assert_double_nan(digits_kept((double)NAN));
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, sensitivities_agree_with_finite_differences);
-  tcase_add_loop_test(tests, the_tangent_gives_the_sensitivities_without_a_solve, 0, 5);
-  tcase_add_test(tests, residuals_are_small_and_the_force_keeps_its_digits);
-  tcase_add_test(tests, diagnostics_do_not_change_the_result);
-  tcase_add_test(tests, residual_and_condition_of_a_stiff_sphere_are_exact);
-  tcase_add_loop_test(tests, bordered_condition_of_a_stiff_sphere_is_exact, 0, 4);
-  tcase_add_test(tests, number_of_digits_follows_from_the_relative_change);
-}
-
-int main(void) {
-  return run_case("diagnosis", add);
 }

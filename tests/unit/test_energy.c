@@ -72,7 +72,7 @@ static balance of_triangles_or_rings(const po_scene *scene, po_scheme scheme, si
   return b;
 }
 
-START_TEST(energy_derivative_is_the_load_on_panels) {
+LOOP_TEST(energy_derivative_is_the_load_on_panels, 0, SCENE_COUNT) {
   const po_scene *scene = &SCENES[_i];
   const double core = po_surface_core(scene, NAN);
   const double domain = isfinite(scene->outer_radius)
@@ -97,9 +97,8 @@ START_TEST(energy_derivative_is_the_load_on_panels) {
   po_equilibrium_destroy(e);
   po_surface_destroy(panels);
 }
-END_TEST
 
-START_TEST(energy_derivative_is_the_load_to_second_order) {
+LOOP_TEST(energy_derivative_is_the_load_to_second_order, 0, 2 * SCENE_COUNT) {
   const po_scene *scene = &SCENES[_i / 2];
   const po_scheme scheme = _i % 2 ? PO_RING : PO_TRIANGLE;
   const balance coarse = of_triangles_or_rings(scene, scheme, 151);
@@ -108,11 +107,10 @@ START_TEST(energy_derivative_is_the_load_to_second_order) {
   ck_assert_double_lt(fine.worst, 0.02);
   ck_assert_double_eq_tol(log2(coarse.worst / fine.worst), 2.0, 0.2);
 }
-END_TEST
 
 /* The integral of Eq 23 over the approach is -8/(3x) + 2/(21 x^7) with x = 1 - approach. It is
  * twice the integral of the energy per area over the gap, since r dr = R dH. */
-START_TEST(smooth_rigid_energy_agrees_with_its_closed_form) {
+LOOP_TEST(smooth_rigid_energy_agrees_with_its_closed_form, 0, 5) {
   static const double APPROACHES[] = {-30.0, -2.385, 0.0, 0.385, 0.8};
   const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
   const double x = 1.0 - APPROACHES[_i];
@@ -121,9 +119,8 @@ START_TEST(smooth_rigid_energy_agrees_with_its_closed_form) {
   ck_assert_int_eq(po_rigid_energy(&scene, APPROACHES[_i], &energy), PO_OK);
   ck_assert_double_eq_tol(energy, exact, 1e-10 * fmax(1.0, fabs(exact)));
 }
-END_TEST
 
-START_TEST(rigid_energy_derivative_is_the_load) {
+LOOP_TEST(rigid_energy_derivative_is_the_load, 0, 2) {
   const po_scene scene = {0.0, 0.7, 23.85, 100.0, _i ? 77.0 : (double)INFINITY};
   balance b = {.enough = INFINITY};
   po_continuation_options options = po_continuation_options_default();
@@ -134,11 +131,10 @@ START_TEST(rigid_energy_derivative_is_the_load) {
   ck_assert_int_eq(po_rigid_trace(&scene, -12.0, &options), PO_OK);
   ck_assert_double_lt(b.worst, 1e-8);
 }
-END_TEST
 
 /* If the Tabor parameter tends to 0, the energy of an elastic sphere tends to the closed form of
  * the rigid sphere. */
-START_TEST(elastic_energy_tends_to_rigid) {
+LOOP_TEST(elastic_energy_tends_to_rigid, 0, 2) {
   const po_scene scene = {1e-4, 0.0, 0.0, 100.0, INFINITY};
   const balance b = of_triangles_or_rings(&scene, _i ? PO_RING : PO_TRIANGLE, 501);
   const double x = 1.0 - b.last.approach;
@@ -146,7 +142,6 @@ START_TEST(elastic_energy_tends_to_rigid) {
   ck_assert_double_eq_tol(b.last.energy, exact,
                           2e-4); /* error of the elements and effect of elasticity */
 }
-END_TEST
 
 /* Far fields of every kind: the traction and the energy fall as powers of the radius that are not
  * whole, or too high for the rule of the panel, or are one power only far beyond the mesh; and the
@@ -190,7 +185,7 @@ static double energy_of_initial_gap(const po_scene *scene, double approach) {
  * initial gap. On the unbounded half-space the weights of the traction were taken for the energy,
  * too, which falls more slowly: a power profile with n = 10.5 lost -3.4e15 in a jump, with n = 4.5
  * it was off by 3e-3, while dU/d(approach) was the load. */
-START_TEST(energy_without_deflection_is_that_of_the_initial_gap) {
+LOOP_TEST(energy_without_deflection_is_that_of_the_initial_gap, 0, 2 * FAR_FIELD_COUNT) {
   po_scene scene = {1e-9, 0.0, 0.0, 100.0, INFINITY};
   scene.profile = po_profile_sphere();
   ck_assert(po_profile_set(&scene.profile, FAR_FIELDS[_i / 2].profile));
@@ -214,19 +209,4 @@ START_TEST(energy_without_deflection_is_that_of_the_initial_gap) {
   free(state);
   po_equilibrium_destroy(e);
   po_surface_destroy(panels);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, energy_derivative_is_the_load_on_panels, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, energy_derivative_is_the_load_to_second_order, 0, 2 * SCENE_COUNT);
-  tcase_add_loop_test(tests, smooth_rigid_energy_agrees_with_its_closed_form, 0, 5);
-  tcase_add_loop_test(tests, rigid_energy_derivative_is_the_load, 0, 2);
-  tcase_add_loop_test(tests, elastic_energy_tends_to_rigid, 0, 2);
-  tcase_add_loop_test(tests, energy_without_deflection_is_that_of_the_initial_gap, 0,
-                      2 * FAR_FIELD_COUNT);
-}
-
-int main(void) {
-  return run_case("energy", add);
 }

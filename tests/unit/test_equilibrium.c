@@ -50,7 +50,7 @@ static double residual_of_paper(const fixture *f, int i) {
 static const double TABORS[] = {0.03, 0.7, 2.385, 5.0};
 enum { TABOR_COUNT = sizeof TABORS / sizeof *TABORS };
 
-START_TEST(corrected_state_satisfies_eq_15) {
+LOOP_TEST(corrected_state_satisfies_eq_15, 0, TABOR_COUNT) {
   fixture f;
   set_up(&f, TABORS[_i], -0.385 - 2.0 * TABORS[_i]); /* beyond the first fold: one equilibrium */
   double base[NODES + 1];
@@ -67,10 +67,9 @@ START_TEST(corrected_state_satisfies_eq_15) {
   ck_assert_double_eq_tol(f.state[NODES], base[NODES], 1e-14);
   tear_down(&f);
 }
-END_TEST
 
 /* The tangent is the derivative of the equilibrium with respect to the approach. */
-START_TEST(tangent_agrees_with_finite_differences) {
+LOOP_TEST(tangent_agrees_with_finite_differences, 0, TABOR_COUNT) {
   fixture f;
   set_up(&f, TABORS[_i], -0.385 - 2.0 * TABORS[_i]);
   double base[NODES + 1], tangent[NODES + 1], at[2][NODES + 1], load[2];
@@ -97,9 +96,8 @@ START_TEST(tangent_agrees_with_finite_differences) {
   ck_assert_double_eq_tol((load[1] - load[0]) / (2.0 * step), rate, 1e-6 * (1.0 + fabs(rate)));
   tear_down(&f);
 }
-END_TEST
 
-START_TEST(load_does_not_depend_on_nodes_left_out_of_the_jacobian) {
+TEST(load_does_not_depend_on_nodes_left_out_of_the_jacobian) {
   double load[2];
   for (int all = 0; all < 2; ++all) {
     fixture f;
@@ -116,9 +114,8 @@ START_TEST(load_does_not_depend_on_nodes_left_out_of_the_jacobian) {
   }
   ck_assert_double_eq_tol(load[0], load[1], 1e-12);
 }
-END_TEST
 
-START_TEST(gaps_stay_above_the_singularity_of_the_law) { /* from a bad initial guess */
+TEST(gaps_stay_above_the_singularity_of_the_law) { /* from a bad initial guess */
   fixture f;
   set_up(&f, 3.0, -6.2);
   double base[NODES + 1];
@@ -132,7 +129,6 @@ START_TEST(gaps_stay_above_the_singularity_of_the_law) { /* from a bad initial g
     ck_assert_double_gt(f.state[j], -1.0);
   tear_down(&f);
 }
-END_TEST
 
 /* Computes an equilibrium, its tangent, and the rates of the nodal arclength along the tangent. */
 static void solve(fixture *f, double *tangent, double *rate) {
@@ -148,7 +144,7 @@ static void solve(fixture *f, double *tangent, double *rate) {
 
 /* If the border is changed, the old factors give the tangent, scaled to the new border. This takes
  * at most one iteration more than new factors. */
-START_TEST(changed_border_gives_the_tangent_of_new_factors) {
+LOOP_TEST(changed_border_gives_the_tangent_of_new_factors, 0, TABOR_COUNT) {
   fixture f;
   set_up(&f, TABORS[_i], -0.385 - 2.0 * TABORS[_i]);
   double tangent[NODES + 1], rate[NODES + 1], border[NODES + 1], changed[NODES + 1];
@@ -167,9 +163,8 @@ START_TEST(changed_border_gives_the_tangent_of_new_factors) {
   ck_assert_uint_le(with_changed, f.e->tangent_iterations - iterations - with_changed + 1);
   tear_down(&f);
 }
-END_TEST
 
-START_TEST(factors_are_discarded_if_the_border_reverses) {
+TEST(factors_are_discarded_if_the_border_reverses) {
   fixture f;
   set_up(&f, 2.385, -5.3);
   double tangent[NODES + 1], rate[NODES + 1];
@@ -181,11 +176,10 @@ START_TEST(factors_are_discarded_if_the_border_reverses) {
   ck_assert(!f.e->factorized);
   tear_down(&f);
 }
-END_TEST
 
 /* The border is the gradient of direction . coordinates, and the rates are the derivatives of the
  * coordinates. Both are compared with finite differences along a change of the state. */
-START_TEST(arclength_derivatives_agree_with_finite_differences) {
+LOOP_TEST(arclength_derivatives_agree_with_finite_differences, 0, 2) {
   const po_arclength a = _i ? PO_ARCLENGTH_NODAL : PO_ARCLENGTH_GLOBAL;
   const size_t size = po_arclength_size(a, NODES);
   ck_assert_uint_eq(size, _i ? NODES + 1 : PO_ARCLENGTH_GLOBAL_SIZE);
@@ -214,19 +208,4 @@ START_TEST(arclength_derivatives_agree_with_finite_differences) {
   ck_assert_double_eq_tol(po_arclength_along(NODES + 1, border, change),
                           po_arclength_along(size, direction, rate), 1e-12);
   tear_down(&f);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, corrected_state_satisfies_eq_15, 0, TABOR_COUNT);
-  tcase_add_loop_test(tests, tangent_agrees_with_finite_differences, 0, TABOR_COUNT);
-  tcase_add_test(tests, load_does_not_depend_on_nodes_left_out_of_the_jacobian);
-  tcase_add_test(tests, gaps_stay_above_the_singularity_of_the_law);
-  tcase_add_loop_test(tests, changed_border_gives_the_tangent_of_new_factors, 0, TABOR_COUNT);
-  tcase_add_test(tests, factors_are_discarded_if_the_border_reverses);
-  tcase_add_loop_test(tests, arclength_derivatives_agree_with_finite_differences, 0, 2);
-}
-
-int main(void) {
-  return run_case("equilibrium", add);
 }

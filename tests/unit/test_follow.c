@@ -49,7 +49,7 @@ static void make_series(const series_words *w, po_request *request) {
 
 /* The ends of each series are checkpoints. Of the other scenes that were followed, a random
  * selection is compared. */
-START_TEST(followed_pull_off_agrees_with_full_traces) {
+TABLE_TEST(followed_pull_off_agrees_with_full_traces, SERIES) {
   static po_request request[MOST];
   static po_result result[MOST];
   const series_words *w = &SERIES[_i];
@@ -81,11 +81,10 @@ START_TEST(followed_pull_off_agrees_with_full_traces) {
   for (size_t k = 0; k < w->count; ++k)
     po_result_clear(&result[k]);
 }
-END_TEST
 
 /* The minimum that is deepest in the middle does not exist at one end of the series, and is far
  * from the deepest at the other: 0.69 of its depth. */
-START_TEST(minimum_that_is_deepest_only_between_checkpoints_is_found) {
+TEST(minimum_that_is_deepest_only_between_checkpoints_is_found) {
   static const series_words WORDS = {'t', 2.5, 5.0, 4, 0, 5.02378, 20.0, 100.0};
   static po_request request[MOST];
   static po_result result[MOST];
@@ -100,12 +99,11 @@ START_TEST(minimum_that_is_deepest_only_between_checkpoints_is_found) {
   for (size_t k = 0; k < WORDS.count; ++k)
     po_result_clear(&result[k]);
 }
-END_TEST
 
 /* The deepest minimum at one end of the series moves beyond the preload, where a trace ends before
  * it. It still exists at the other end, shallower than the pull-off. An earlier version gave a
  * pull-off of 5.1996 instead of 2.4515. */
-START_TEST(minima_beyond_the_preload_are_not_the_pull_off) {
+TEST(minima_beyond_the_preload_are_not_the_pull_off) {
   enum { COUNT = 8 };
   po_request request[COUNT];
   po_result result[COUNT];
@@ -129,11 +127,10 @@ START_TEST(minima_beyond_the_preload_are_not_the_pull_off) {
   }
   ck_assert_uint_ge(followed, 2);
 }
-END_TEST
 
 /* Two checkpoints whose minima rise from wave to wave, and fall again before the trace ends. A
  * trace of a scene between them would not end at the rise. */
-START_TEST(one_rise_of_the_minima_does_not_end_the_series) {
+TEST(one_rise_of_the_minima_does_not_end_the_series) {
   enum { COUNT = 11 };
   po_request request[COUNT];
   po_result result[COUNT], traced;
@@ -154,11 +151,10 @@ START_TEST(one_rise_of_the_minima_does_not_end_the_series) {
   for (size_t k = 0; k < COUNT; ++k)
     po_result_clear(&result[k]);
 }
-END_TEST
 
 /* Series in which no minimum ends: a followed scene needs less than a tenth of the factorisations
  * of a traced one. */
-START_TEST(following_takes_few_factorizations) {
+LOOP_TEST(following_takes_few_factorizations, 2, 4) {
   static po_request request[MOST];
   static po_result result[MOST];
   const series_words *w = &SERIES[_i];
@@ -176,13 +172,12 @@ START_TEST(following_takes_few_factorizations) {
   for (size_t k = 0; k < w->count; ++k)
     po_result_clear(&result[k]);
 }
-END_TEST
 
 /* Scenes that cannot be followed are traced: rigid ones, a smooth one next to a wavy one, a bounded
  * surface next to an unbounded one. The trace of a series does not solve folds again on a finer
  * mesh, so the iterations beside a minimum begin with other factors than those of a trace alone:
  * the forces agree to the precision of Newton's method. */
-START_TEST(scenes_that_cannot_be_followed_are_traced) {
+TEST(scenes_that_cannot_be_followed_are_traced) {
   static const po_scene SCENES[] = {
       {0.0, 0.9, 21.0, 100.0, 90.0}, {0.0, 0.8, 21.0, 100.0, 90.0},
       {0.7, 0.8, 21.0, 100.0, 90.0}, {0.7, 0.0, 21.0, 100.0, 90.0},
@@ -206,19 +201,4 @@ START_TEST(scenes_that_cannot_be_followed_are_traced) {
     po_result_clear(&alone);
     po_result_clear(&result[k]);
   }
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, followed_pull_off_agrees_with_full_traces, 0,
-                      sizeof SERIES / sizeof *SERIES);
-  tcase_add_loop_test(tests, following_takes_few_factorizations, 2, 4);
-  tcase_add_test(tests, minimum_that_is_deepest_only_between_checkpoints_is_found);
-  tcase_add_test(tests, minima_beyond_the_preload_are_not_the_pull_off);
-  tcase_add_test(tests, one_rise_of_the_minima_does_not_end_the_series);
-  tcase_add_test(tests, scenes_that_cannot_be_followed_are_traced);
-}
-
-int main(void) {
-  return run_case("follow", add);
 }

@@ -104,7 +104,7 @@ static void solve(const series *l, double at, po_result *o) {
   ck_assert_uint_eq(o->fold_count, l->folds);
 }
 
-START_TEST(followed_folds_agree_with_full_traces) {
+TABLE_TEST(followed_folds_agree_with_full_traces, SERIES) {
   const series *l = &SERIES[_i];
   folds f = {.arrays = {0}};
   trace(l, &f);
@@ -133,10 +133,9 @@ START_TEST(followed_folds_agree_with_full_traces) {
   for (int k = 0; k < 3; ++k)
     po_result_clear(&traced[k]);
 }
-END_TEST
 
 /* The two folds of a smooth sphere merge at mu = 0.697. Below this value there are none. */
-START_TEST(folds_that_merge_are_not_found_beyond) {
+TEST(folds_that_merge_are_not_found_beyond) {
   static const series MERGING = {{0.0, 0.0, 0.0, 100.0, INFINITY}, false, 0.9, {0.75, 0.6, 0.0}, 2};
   folds f = {.arrays = {0}};
   trace(&MERGING, &f);
@@ -148,15 +147,4 @@ START_TEST(folds_that_merge_are_not_found_beyond) {
   }
   po_arena_free(&f.arrays);
   po_follow_destroy(follower);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, followed_folds_agree_with_full_traces, 0,
-                      sizeof SERIES / sizeof *SERIES);
-  tcase_add_test(tests, folds_that_merge_are_not_found_beyond);
-}
-
-int main(void) {
-  return run_case("follow_folds", add);
 }

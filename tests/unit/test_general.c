@@ -30,7 +30,7 @@ static void look(void *data, double approach, double load) {
 /* The arclength functional of a wavy cone differs by 3e-3 between two meshes, an amount by which
  * the contact edge moves by many of its widths beside a groove. So no step converged at approach
  * -2.077, however short, and three folds before were not found on a finer mesh. */
-START_TEST(a_point_is_measured_on_the_mesh_of_the_next) {
+TEST(a_point_is_measured_on_the_mesh_of_the_next) {
   po_request request = request_of("morse:2.59436", "cone:0.0909885", "0.962968",
                                   "1.58546@6.92016;0.0757938@8.13471", 1e-6);
   request.watch = look;
@@ -47,7 +47,6 @@ START_TEST(a_point_is_measured_on_the_mesh_of_the_next) {
     ck_assert_msg(isfinite(o.folds[k].approach_error), "fold at approach %g", o.folds[k].approach);
   po_result_clear(&o);
 }
-END_TEST
 
 typedef struct {
   const char *law, *profile, *coupling;
@@ -59,7 +58,7 @@ static const scene KINKS[] = {{"lennard-jones", "punch:4.3352,19.704", "0.14297"
 /* Far from the edge of a flat part a panel may have it inside. The energy of such a point has a
  * larger error than that of any special point, from which the error of an energy lost was
  * estimated: it was 2.2 and 3.2 times what was stated. */
-START_TEST(energies_lost_are_within_their_errors) {
+TABLE_TEST(energies_lost_are_within_their_errors, KINKS) {
   const scene *s = &KINKS[_i];
   double lost[2][2], error[2][2]; /* of the loop, and of the first cycle of the staircase */
   for (int tight = 0; tight < 2; ++tight)
@@ -81,12 +80,11 @@ START_TEST(energies_lost_are_within_their_errors) {
     ck_assert(stairs || error[stairs][0] < 10.0 * off);
   }
 }
-END_TEST
 
 /* Where the slope of the profile jumps, at a tip and at a corner, the deflection has a part x^2 ln
  * x, which Gauss's rule does not integrate exactly: energies were off by 2.6 and 8 times the stated
  * error. Given: a profile, a law and the approach at which the trace ends. */
-START_TEST(energies_of_profiles_with_a_corner_are_within_their_errors) {
+LOOP_TEST(energies_of_profiles_with_a_corner_are_within_their_errors, 0, 2) {
   static const scene SCENES[] = {{"mie:5.27,10.69", "cone:0.0540348", "0.00235669"},
                                  {"lennard-jones", "truncated:7.31919,16.5028", "0.169458"}};
   static const double APPROACHES[] = {-0.4432476, 0.09950589};
@@ -108,7 +106,6 @@ START_TEST(energies_of_profiles_with_a_corner_are_within_their_errors) {
   ck_assert_double_ge(error[0], 1.5 * off); /* measured: 2.6 and 3.1 */
   ck_assert_double_le(error[0], 6.0 * off);
 }
-END_TEST
 
 /* Solves a request. Returned: the pull-off force, 0 if there is none. */
 static double solved(po_request *request, double *error) {
@@ -125,7 +122,7 @@ static double solved(po_request *request, double *error) {
  * the tip of the cone. The least gap of the nodes therefore grew by more than the bodies
  * approached, and the trace failed at its second point: "the branch returned to its beginning". The
  * force does not depend on where the trace begins. */
-START_TEST(a_tip_between_the_nodes_is_no_return) {
+TEST(a_tip_between_the_nodes_is_no_return) {
   po_request request =
       request_of("lennard-jones", "cone:0.717956", "0.18996", "1.04875@70.7415", 1e-6);
   double near_error, far_error;
@@ -135,12 +132,11 @@ START_TEST(a_tip_between_the_nodes_is_no_return) {
   const double far = solved(&request, &far_error);
   ck_assert_double_eq_tol(near, far, near_error + far_error);
 }
-END_TEST
 
 /* A long step predicts a gap at which a traction as (1 + H)^-35 is 1e36. Newton's method then
  * changed the approach by 1e30 and no gap, and the prediction passed
  * for an equilibrium, which no mesh resolved: "the traction needs 8192 panels, more than 4096". */
-START_TEST(a_prediction_beyond_contact_is_no_equilibrium) {
+TEST(a_prediction_beyond_contact_is_no_equilibrium) {
   po_request request = request_of("mie:14.3,35", "sphere", "0.2619", NULL, 1e-6);
   ck_assert(po_key_set(&request, PO_KEY_RADIUS, "320"));
   ck_assert(po_key_set(&request, PO_KEY_TABOR, "2.8"));
@@ -151,13 +147,12 @@ START_TEST(a_prediction_beyond_contact_is_no_equilibrium) {
   request.mesh.tolerance = 1e-8;
   ck_assert_double_eq_tol(force, solved(&request, &other), error + other);
 }
-END_TEST
 
 /* A trace that begins far out, as through a soft spring, doubles its steps until one ends beyond
  * contact, where a traction as (1 + H)^-33 is 1e33. The factors then left Eq 15 an error of 1e35
  * and changed neither gaps nor approach, and the condition of the step was met: "the traction needs
  * 8192 panels". The force does not depend on where the trace begins. */
-START_TEST(an_iteration_that_leaves_the_equation_has_not_converged) {
+LOOP_TEST(an_iteration_that_leaves_the_equation_has_not_converged, 0, 2) {
   static const scene SCENES[] = {{"mie:15,33", "power:0.02,2", "0.7"},
                                  {"mie:9,33", "power:5e-3,2", "0.1"}};
   const scene *s = &SCENES[_i];
@@ -170,7 +165,6 @@ START_TEST(an_iteration_that_leaves_the_equation_has_not_converged) {
     ck_assert_double_eq_tol(near, solved(&request, &far_error), near_error + far_error);
   }
 }
-END_TEST
 
 static const struct {
   const char *law, *profile, *outer;
@@ -179,26 +173,10 @@ static const struct {
 /* The traction falls as r^-180 and as r^-160 far out. The weights of the panel to infinity
  * overflowed, so that there was "no equilibrium at the start". What is beyond a cut at which the
  * gap is 2e5 and 1.5e6 eps changes nothing. */
-START_TEST(steep_profiles_are_solved_on_the_half_space) {
+LOOP_TEST(steep_profiles_are_solved_on_the_half_space, 0, 2) {
   po_request request = request_of(STEEP[_i].law, STEEP[_i].profile, "0.05", NULL, 1e-6);
   double error, cut_error;
   const double force = solved(&request, &error);
   ck_assert(po_key_set(&request, PO_KEY_OUTER_RADIUS, STEEP[_i].outer));
   ck_assert_double_eq_tol(force, solved(&request, &cut_error), error + cut_error);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, a_point_is_measured_on_the_mesh_of_the_next);
-  tcase_add_test(tests, a_tip_between_the_nodes_is_no_return);
-  tcase_add_test(tests, a_prediction_beyond_contact_is_no_equilibrium);
-  tcase_add_loop_test(tests, an_iteration_that_leaves_the_equation_has_not_converged, 0, 2);
-  tcase_add_loop_test(tests, steep_profiles_are_solved_on_the_half_space, 0, 2);
-  tcase_add_loop_test(tests, energies_lost_are_within_their_errors, 0,
-                      sizeof KINKS / sizeof *KINKS);
-  tcase_add_loop_test(tests, energies_of_profiles_with_a_corner_are_within_their_errors, 0, 2);
-}
-
-int main(void) {
-  return run_case("general", add);
 }

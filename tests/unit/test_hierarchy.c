@@ -40,12 +40,11 @@ static po_status make_once(void) {
 
 /* If memory ran out in the last of the three rules that the tables of panels need, the first mesh
  * ended the program, and all tables but one stayed empty. */
-START_TEST(tables_are_computed_later_if_memory_ran_out) {
+LOOP_TEST(tables_are_computed_later_if_memory_ran_out, 0, 3) {
   calls_before_failure = _i;
   ck_assert_int_eq(make_once(), PO_NO_MEMORY);
   ck_assert_int_eq(make_once(), PO_OK);
 }
-END_TEST
 
 enum { MESHES = 5 };
 
@@ -114,7 +113,7 @@ static double difference(const fixture *f, size_t n) {
   return worst / largest;
 }
 
-START_TEST(products_agree_with_the_dense_matrix) {
+LOOP_TEST(products_agree_with_the_dense_matrix, 0, MESHES) {
   uint64_t seed = 17000 + 1000 * (uint64_t)_i;
   fixture f = set_up(_i, &seed);
   po_linear_apply(f.n, f.n, f.matrix, f.n, f.x, f.y);
@@ -125,9 +124,8 @@ START_TEST(products_agree_with_the_dense_matrix) {
   ck_assert_double_lt(difference(&f, f.n), 1e-12);
   tear_down(&f);
 }
-END_TEST
 
-START_TEST(largest_coefficients_are_those_of_the_dense_matrix) {
+LOOP_TEST(largest_coefficients_are_those_of_the_dense_matrix, 0, MESHES) {
   uint64_t seed = 29000 + 1000 * (uint64_t)_i;
   fixture f = set_up(_i, &seed);
   po_hierarchy_reach(f.h, f.z);
@@ -139,11 +137,10 @@ START_TEST(largest_coefficients_are_those_of_the_dense_matrix) {
   }
   tear_down(&f);
 }
-END_TEST
 
 /* A mesh that returns computes nothing, one that changes a little computes little, and the products
  * are those of a matrix that is made anew. */
-START_TEST(blocks_are_kept_from_mesh_to_mesh) {
+TEST(blocks_are_kept_from_mesh_to_mesh) {
   uint64_t seed = 31;
   fixture f = set_up(4, &seed);
   const uint64_t first = f.h->evaluations;
@@ -165,10 +162,9 @@ START_TEST(blocks_are_kept_from_mesh_to_mesh) {
   po_hierarchy_destroy(other);
   tear_down(&f);
 }
-END_TEST
 
 /* The blocks of a mesh are proportional to the number of its panels, but for those at both ends. */
-START_TEST(work_is_proportional_to_the_number_of_panels) {
+TEST(work_is_proportional_to_the_number_of_panels) {
   double per_panel[2];
   for (int k = 0; k < 2; ++k) {
     static po_panels panels;
@@ -181,7 +177,6 @@ START_TEST(work_is_proportional_to_the_number_of_panels) {
   }
   ck_assert_double_lt(per_panel[1], 1.1 * per_panel[0]);
 }
-END_TEST
 
 /* Factors such as those of a contact: stiff inside, of the other sign at the edge, small outside,
  * and zero farther out and to infinity. */
@@ -234,7 +229,7 @@ static const double STIFFNESS[] = {1.0, 30.0, 3000.0};
 /* The solution satisfies the system but for the error of the skeletons, with a second border as
  * with the first; the sign of the determinant is that of LU, and the determinant changes with the
  * border as that of LU does. */
-START_TEST(factors_solve_the_bordered_system) {
+LOOP_TEST(factors_solve_the_bordered_system, 0, 3 * MESHES) {
   uint64_t seed = 41000 + 1000 * (uint64_t)_i;
   fixture f = set_up(_i % MESHES, &seed);
   const size_t n = f.n;
@@ -269,10 +264,9 @@ START_TEST(factors_solve_the_bordered_system) {
   free(border);
   tear_down(&f);
 }
-END_TEST
 
 /* With small factors nothing hides the error of the skeletons: it is that of the header. */
-START_TEST(skeletons_are_as_accurate_as_stated) {
+TEST(skeletons_are_as_accurate_as_stated) {
   uint64_t seed = 53;
   fixture f = set_up(3, &seed);
   const size_t n = f.n;
@@ -302,19 +296,4 @@ START_TEST(skeletons_are_as_accurate_as_stated) {
   free(factor);
   free(border);
   tear_down(&f);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, products_agree_with_the_dense_matrix, 0, MESHES);
-  tcase_add_loop_test(tests, largest_coefficients_are_those_of_the_dense_matrix, 0, MESHES);
-  tcase_add_test(tests, blocks_are_kept_from_mesh_to_mesh);
-  tcase_add_test(tests, work_is_proportional_to_the_number_of_panels);
-  tcase_add_loop_test(tests, factors_solve_the_bordered_system, 0, 3 * MESHES);
-  tcase_add_test(tests, skeletons_are_as_accurate_as_stated);
-  tcase_add_loop_test(tests, tables_are_computed_later_if_memory_ran_out, 0, 3);
-}
-
-int main(void) {
-  return run_case("hierarchy", add);
 }

@@ -20,7 +20,7 @@ static po_branch_point at(double angle) {
 
 static const double TURNS[] = {0.037, 0.1, 0.29, 0.6};
 
-START_TEST(interpolation_error_on_a_circle_is_known) {
+TABLE_TEST(interpolation_error_on_a_circle_is_known, TURNS) {
   const double turn = TURNS[_i], begin = 0.71 + 1.3 * _i;
   const po_branch_point from = at(begin), to = at(begin + turn);
   ck_assert_double_eq_tol(po_join_sagitta(&from, &to) / (RADIUS * (1.0 - cos(0.5 * turn))), 1.0,
@@ -28,24 +28,12 @@ START_TEST(interpolation_error_on_a_circle_is_known) {
   const double exact = RADIUS * pow(turn, 4.0) / 384.0; /* half way between the points */
   ck_assert_double_eq_tol(po_join_miss(&from, &to) / exact, 1.0, 0.1);
 }
-END_TEST
 
 /* If the energy is not the integral of the load, the estimated interpolation error is large. */
-START_TEST(wrong_energy_increases_the_interpolation_error) {
+TEST(wrong_energy_increases_the_interpolation_error) {
   const po_branch_point from = at(0.4);
   po_branch_point to = at(0.5);
   const double before = po_join_miss(&from, &to);
   to.energy += 1e-4;
   ck_assert_double_gt(po_join_miss(&from, &to), 100.0 * before);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, interpolation_error_on_a_circle_is_known, 0,
-                      sizeof TURNS / sizeof *TURNS);
-  tcase_add_test(tests, wrong_energy_increases_the_interpolation_error);
-}
-
-int main(void) {
-  return run_case("join", add);
 }

@@ -17,7 +17,7 @@ static double kernel_of_paper(double r, double s) { /* Eq 12 */
   return 4.0 / (M_PI * large) * gsl_sf_ellint_Kcomp(small / large, GSL_PREC_DOUBLE);
 }
 
-START_TEST(kernel_is_eq_12) {
+LOOP_TEST(kernel_is_eq_12, 0, RADIUS_COUNT) {
   const double r = RADII[_i][0], s = RADII[_i][1];
   const double modulus = fmin(r, s) / fmax(r, s);
   /* Kcomp computes 1 - k^2, whose rounding error near r = s is 1/(1 - k) ulp. The
@@ -31,35 +31,31 @@ START_TEST(kernel_is_eq_12) {
   for (int j = 0; j < 3; ++j)
     ck_assert_double_eq_tol(row[j] * (1.0 / po_kernel(r + three[j], r - three[j])), 1.0, 1e-14);
 }
-END_TEST
 
-START_TEST(kernel_is_infinite_on_the_circle) {
+TEST(kernel_is_infinite_on_the_circle) {
   ck_assert(isinf(po_kernel(2.0, 0.0)));
   /* G ~ (4 / (pi 2 r)) ln(8 r / |r - s|), also where r and s differ only in their last bits */
   const double r = 1.7, d = 1e-200;
   ck_assert_double_eq_tol(po_kernel(2.0 * r, d) / (2.0 / (M_PI * r) * (log(8.0 * r) - log(d))), 1.0,
                           1e-14);
 }
-END_TEST
 
-START_TEST(disc_is_eq_a2) {
+LOOP_TEST(disc_is_eq_a2, 0, RADIUS_COUNT) {
   const double c = RADII[_i][0], r = RADII[_i][1], k = fmin(r, c) / fmax(r, c);
   const double K = gsl_sf_ellint_Kcomp(k, GSL_PREC_DOUBLE),
                E = gsl_sf_ellint_Ecomp(k, GSL_PREC_DOUBLE);
   const double expected = r <= c ? c * E : r * (E - (1.0 - k) * (1.0 + k) * K);
   ck_assert_double_eq_tol(po_disc_deflection(c, r), expected, 2e-15 * fmax(c, r));
 }
-END_TEST
 
-START_TEST(disc_at_its_edge_and_centre) {
+TEST(disc_at_its_edge_and_centre) {
   ck_assert_double_eq_tol(po_disc_deflection(2.385, 2.385), 2.385, 1e-15); /* E(1) = 1 */
   ck_assert_double_eq_tol(po_disc_deflection(2.385, 0.0), 2.385 * M_PI_2, 1e-15);
   ck_assert_double_eq(po_disc_deflection(0.0, 1.3), 0.0);
 }
-END_TEST
 
-START_TEST(
-    kernels_are_those_of_one) { /* from nearly equal sums and differences to the smallest ratios */
+/* From nearly equal sums and differences to the smallest ratios. */
+TEST(kernels_are_those_of_one) {
   enum { COUNT = 70 };
   double sum[COUNT], difference[COUNT], kernel[COUNT];
   for (int last = 0; last < COUNT; ++last) { /* the last one needs the most steps */
@@ -72,17 +68,4 @@ START_TEST(
     for (int j = 0; j <= last; ++j)
       ck_assert_double_eq_tol(kernel[j] / po_kernel(sum[j], difference[j]), 1.0, 1e-15);
   }
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, kernel_is_eq_12, 0, RADIUS_COUNT);
-  tcase_add_test(tests, kernel_is_infinite_on_the_circle);
-  tcase_add_test(tests, kernels_are_those_of_one);
-  tcase_add_loop_test(tests, disc_is_eq_a2, 0, RADIUS_COUNT);
-  tcase_add_test(tests, disc_at_its_edge_and_centre);
-}
-
-int main(void) {
-  return run_case("kernel", add);
 }

@@ -20,7 +20,7 @@ static po_law law_of(const char *text) {
 }
 
 /* Central differences of the energy and of the traction, whose relative errors are 1e-10. */
-START_TEST(traction_and_slope_are_derivatives_of_the_energy) {
+LOOP_TEST(traction_and_slope_are_derivatives_of_the_energy, 0, (LAW_COUNT * GAP_COUNT)) {
   const po_law law = law_of(LAWS[_i / GAP_COUNT]);
   const double gap = GAPS[_i % GAP_COUNT], step = 1e-5 * po_law_size(&law, gap);
   const po_law_value p = po_law_at(&law, gap);
@@ -34,13 +34,12 @@ START_TEST(traction_and_slope_are_derivatives_of_the_energy) {
       1e-7 * (fabs(p.traction) + (fabs(up) + fabs(down)) / po_law_size(&law, gap)));
   ck_assert_double_eq_tol(po_law_traction(&law, gap).high, p.traction, 1e-14 * (size + 1.0));
 }
-END_TEST
 
 /* p(0) = 0. The energy is -1, the work of adhesion, at H = 0, and 0 far away. The tension is
  * greatest at the peak. At large gaps the law tends to its far field. The scale is positive, and
  * its rate is its derivative; so is that of the closeness, which is 1 up to H = 0 and falls as the
  * slope of the law far out. */
-START_TEST(law_is_normalised) {
+LOOP_TEST(law_is_normalised, 0, LAW_COUNT) {
   const po_law law = law_of(LAWS[_i]);
   ck_assert_double_eq_tol(po_law_at(&law, 0.0).traction, 0.0, 1e-15);
   ck_assert_double_eq_tol(po_law_energy(&law, 0.0), -1.0, 1e-15);
@@ -75,11 +74,10 @@ START_TEST(law_is_normalised) {
         1e-6);
   }
 }
-END_TEST
 
 /* Eqs 9 and 16, with the greatest tension 16/(9 sqrt 3) at h = 3^(1/6). The Mie law (3, 9) is the
  * same. */
-START_TEST(lennard_jones_is_the_law_of_the_paper) {
+TEST(lennard_jones_is_the_law_of_the_paper) {
   const po_law law = po_law_lennard_jones(), mie = law_of("mie:3,9"), unset = {0};
   for (size_t k = 0; k < GAP_COUNT; ++k) {
     const double h = 1.0 + GAPS[k], size = pow(h, -3.0) + pow(h, -9.0);
@@ -97,14 +95,13 @@ START_TEST(lennard_jones_is_the_law_of_the_paper) {
                           -16.0 / (9.0 * sqrt(3.0)), 1e-15);
   ck_assert_str_eq(po_law_name(&unset), "lennard-jones");
 }
-END_TEST
 
 static const double AVERAGES[][2] = {
     {5.0, 0.0}, {5.0, 0.385}, {5.0, 4.0}, {30.0, 10.0}, {2.0, 1.5}};
 enum { AVERAGE_COUNT = sizeof AVERAGES / sizeof *AVERAGES };
 
 /* The trapezoidal sum of a periodic function converges spectrally. */
-START_TEST(averaged_law_is_the_mean_over_a_period) {
+LOOP_TEST(averaged_law_is_the_mean_over_a_period, 0, (LAW_COUNT * AVERAGE_COUNT)) {
   enum { POINTS = 4096 };
   const po_law law = law_of(LAWS[_i / AVERAGE_COUNT]);
   const double gap = AVERAGES[_i % AVERAGE_COUNT][0], amplitude = AVERAGES[_i % AVERAGE_COUNT][1];
@@ -121,20 +118,18 @@ START_TEST(averaged_law_is_the_mean_over_a_period) {
   ck_assert_double_eq_tol(p.slope / slope, 1.0, 1e-11);
   ck_assert_double_eq_tol(po_law_energy_averaged(&law, gap, amplitude) / energy, 1.0, 1e-12);
 }
-END_TEST
 
 /* The load of a rigid paraboloid is 2 phi, in pi w R of its radius. Of 1e4, attraction takes off at
  * most 4 %. */
-START_TEST(repulsion_pushes_with_the_load) {
+LOOP_TEST(repulsion_pushes_with_the_load, 0, LAW_COUNT) {
   const po_law law = law_of(LAWS[_i]);
   const double share = 0.3, load = share * 1e4;
   const double approach = po_law_approach_of_push(&law, share, load);
   ck_assert_double_eq_tol(2.0 * share * po_law_energy(&law, -approach), load, 0.04 * load);
 }
-END_TEST
 
 /* Parameters may be set one by one, in any order. */
-START_TEST(parameters_are_set_one_by_one) {
+TEST(parameters_are_set_one_by_one) {
   const po_law whole = law_of("mie:4,10");
   po_law law = po_law_lennard_jones();
   po_law_set_parameter(&law, PO_MIE_N, 10.0);
@@ -148,46 +143,26 @@ START_TEST(parameters_are_set_one_by_one) {
   const po_law semicolons = law_of("mie:4;10"); /* the form used in tables */
   ck_assert_double_eq(po_law_at(&semicolons, 0.385).traction, po_law_at(&whole, 0.385).traction);
 }
-END_TEST
 
 static const char *const BAD[] = {"",         "mie:",      "mie:3",  "mie:3,nan", "mie:3,9,12",
                                   "mie:3,9x", "morse:1,2", "morse:", "lennard",   "lennard-jones:3",
                                   "Mie:3,9",  "mie;3,9"};
 
-START_TEST(malformed_laws_are_refused) {
+TABLE_TEST(malformed_laws_are_refused, BAD) {
   po_law law = law_of("morse:1");
   ck_assert(!po_law_set(&law, BAD[_i]));
   ck_assert_str_eq(po_law_name(&law), "morse");
   ck_assert_double_eq(law.parameter[PO_MORSE_A], 1.0);
 }
-END_TEST
 
 static const char *const OUT_OF_RANGE[] = {"mie:9,3",     "mie:1,9",  "mie:3,3",
                                            "mie:3,1e300", "morse:-1", "morse:0",
                                            "morse:1e6",   "mie",      "morse"};
 
-START_TEST(parameters_out_of_range_are_named) {
+TABLE_TEST(parameters_out_of_range_are_named, OUT_OF_RANGE) {
   po_law law = po_law_lennard_jones();
   ck_assert(po_law_set(&law, OUT_OF_RANGE[_i]));
   ck_assert_int_eq(po_law_check(&law), PO_BAD_INPUT);
   ck_assert_ptr_nonnull(strstr(po_message(), "expected"));
   ck_assert_ptr_nonnull(strstr(po_message(), po_law_name(&law)));
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, traction_and_slope_are_derivatives_of_the_energy, 0,
-                      LAW_COUNT * GAP_COUNT);
-  tcase_add_loop_test(tests, law_is_normalised, 0, LAW_COUNT);
-  tcase_add_test(tests, lennard_jones_is_the_law_of_the_paper);
-  tcase_add_loop_test(tests, repulsion_pushes_with_the_load, 0, LAW_COUNT);
-  tcase_add_loop_test(tests, averaged_law_is_the_mean_over_a_period, 0, LAW_COUNT * AVERAGE_COUNT);
-  tcase_add_test(tests, parameters_are_set_one_by_one);
-  tcase_add_loop_test(tests, malformed_laws_are_refused, 0, sizeof BAD / sizeof *BAD);
-  tcase_add_loop_test(tests, parameters_out_of_range_are_named, 0,
-                      sizeof OUT_OF_RANGE / sizeof *OUT_OF_RANGE);
-}
-
-int main(void) {
-  return run_case("law", add);
 }

@@ -48,15 +48,14 @@ static int threads(void) {
   return count;
 }
 
-START_TEST(openblas_has_one_thread) {
+TEST(openblas_has_one_thread) {
   po_linear_single_thread();
   ck_assert_int_eq(threads(), 1);
   po_linear_single_thread();
   ck_assert_int_eq(threads(), 1);
 }
-END_TEST
 
-START_TEST(linear_algebra_needs_no_threads) {
+TEST(linear_algebra_needs_no_threads) {
   static double a[N * N], x[N];
   static int pivots[N];
   po_linear_single_thread();
@@ -71,11 +70,10 @@ START_TEST(linear_algebra_needs_no_threads) {
     ck_assert_double_eq_tol(x[j], 1.0 + 0.013 * j, 1e-13);
   ck_assert_int_eq(threads(), 1);
 }
-END_TEST
 
 /* With two equal columns a pivot is zero, in double and in single precision. With different columns
  * it is not. */
-START_TEST(singular_matrix_is_reported) {
+TEST(singular_matrix_is_reported) {
   double a[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7};
   float b[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7};
   int pivots[3];
@@ -87,7 +85,6 @@ START_TEST(singular_matrix_is_reported) {
   for (int j = 0; j < 3; ++j)
     ck_assert_double_eq_tol(x[j], 1.0, 1e-13);
 }
-END_TEST
 
 /* Numbers of all sizes from a generator of its own. */
 static double draw(void) {
@@ -126,7 +123,7 @@ static void draw_all(size_t count, double *x) {
 PLAIN(double, plain_double)
 PLAIN(float, plain_single)
 
-START_TEST(factors_are_those_of_the_plain_algorithm) {
+TEST(factors_are_those_of_the_plain_algorithm) {
   static double a[N * N], b[N * N];
   static float c[N * N], d[N * N];
   int pivots[N], expected[N];
@@ -145,10 +142,9 @@ START_TEST(factors_are_those_of_the_plain_algorithm) {
     ck_assert_msg(!memcmp(c, d, sizeof *c * n * stride), "factors in single precision, %zu", n);
   }
 }
-END_TEST
 
 /* The processor of this machine uses one of the lengths; both have to give the same. */
-START_TEST(vectors_of_all_lengths_give_the_same) {
+TEST(vectors_of_all_lengths_give_the_same) {
 #if defined(__x86_64__)
   enum { M = 301 };
   static double a[M * M], b[M * M];
@@ -171,10 +167,9 @@ START_TEST(vectors_of_all_lengths_give_the_same) {
   }
 #endif
 }
-END_TEST
 
 /* LAPACK's solution differs by the rounding of both; so does that of the transpose. */
-START_TEST(solutions_are_those_of_lapack) {
+TEST(solutions_are_those_of_lapack) {
   static double a[N * N], b[N * N], x[N], y[N];
   int pivots[N], theirs[N];
   for (int n = 1; n <= N; n = 2 * n + 1) {
@@ -198,28 +193,12 @@ START_TEST(solutions_are_those_of_lapack) {
     }
   }
 }
-END_TEST
 
 /* NaN neither stops a factorisation nor is hidden by it. */
-START_TEST(nan_stays) {
+TEST(nan_stays) {
   double a[9] = {1, 2, 3, 4, (double)NAN, 7, 4, 5, 7}, x[3] = {1, 1, 1};
   int pivots[3];
   ck_assert_int_eq(po_linear_factorize(3, a, 3, pivots), PO_OK);
   po_linear_solve(3, a, 3, pivots, x);
   ck_assert_double_nan(x[0]);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, factors_are_those_of_the_plain_algorithm);
-  tcase_add_test(tests, vectors_of_all_lengths_give_the_same);
-  tcase_add_test(tests, solutions_are_those_of_lapack);
-  tcase_add_test(tests, nan_stays);
-  tcase_add_test(tests, openblas_has_one_thread);
-  tcase_add_test(tests, linear_algebra_needs_no_threads);
-  tcase_add_test(tests, singular_matrix_is_reported);
-}
-
-int main(void) {
-  return run_case("linear", add);
 }

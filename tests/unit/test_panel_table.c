@@ -36,7 +36,7 @@ static void check_tree(const po_panels *panels) {
   ck_assert_double_eq(end, 1.0);
 }
 
-START_TEST(tree_stays_graded) {
+TEST(tree_stays_graded) {
   static po_panels panels;
   refine_towards(&panels, 0.2385, 9);
   check_tree(&panels);
@@ -50,9 +50,8 @@ START_TEST(tree_stays_graded) {
   } while (panels.count < before);
   ck_assert_uint_eq(panels.count, 1);
 }
-END_TEST
 
-START_TEST(split_without_room_changes_nothing) {
+TEST(split_without_room_changes_nothing) {
   static po_panels panels;
   po_panels_uniform(&panels, 13);
   for (size_t k = 0; k < panels.count; ++k)
@@ -63,11 +62,10 @@ START_TEST(split_without_room_changes_nothing) {
   ck_assert(!po_panels_split(&panels));
   ck_assert_uint_eq(panels.count, PO_MOST_PANELS);
 }
-END_TEST
 
 static const double FOCI[] = {0.0, 0.2385, 0.5, 0.9999};
 
-START_TEST(tabulated_blocks_agree_with_product_integration) {
+LOOP_TEST(tabulated_blocks_agree_with_product_integration, 0, 4) {
   const po_panel_table *table = po_panel_table_get();
   ck_assert_ptr_nonnull(table);
   static po_panels panels;
@@ -95,11 +93,10 @@ START_TEST(tabulated_blocks_agree_with_product_integration) {
     }
   ck_assert_double_lt(worst, 3e-12);
 }
-END_TEST
 
 /* The panels of a mesh are recognised from its radii, those of a part of the mesh from the first of
  * these. Other radii belong to no panels. */
-START_TEST(panels_are_recognised_from_their_nodes) {
+TEST(panels_are_recognised_from_their_nodes) {
   static const po_scene SCENE = {.tabor = 2.385, .radius = 93.0, .outer_radius = 71.0};
   po_surface *surface = NULL;
   ck_assert_int_eq(po_surface_create_panels(&SCENE, 71.0, 2, &surface), PO_OK);
@@ -121,11 +118,10 @@ START_TEST(panels_are_recognised_from_their_nodes) {
   free(node);
   po_surface_destroy(surface);
 }
-END_TEST
 
 /* A surface with many waves has room for more panels; a mesh for which there is none changes
  * nothing. */
-START_TEST(mesh_without_room_changes_nothing) {
+TEST(mesh_without_room_changes_nothing) {
   static const po_scene SMOOTH = {.tabor = 2.385, .radius = 93.0, .outer_radius = 71.0};
   po_scene wavy = SMOOTH;
   wavy.amplitude = 0.1;
@@ -146,17 +142,4 @@ START_TEST(mesh_without_room_changes_nothing) {
     }
     po_surface_destroy(surface);
   }
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, tree_stays_graded);
-  tcase_add_test(tests, split_without_room_changes_nothing);
-  tcase_add_loop_test(tests, tabulated_blocks_agree_with_product_integration, 0, 4);
-  tcase_add_test(tests, panels_are_recognised_from_their_nodes);
-  tcase_add_test(tests, mesh_without_room_changes_nothing);
-}
-
-int main(void) {
-  return run_case("panel_table", add);
 }

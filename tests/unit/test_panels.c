@@ -23,7 +23,7 @@ static po_request panels(double tabor, double tolerance) {
   return request;
 }
 
-START_TEST(pull_off_is_accurate_to_the_tolerance) {
+LOOP_TEST(pull_off_is_accurate_to_the_tolerance, 0, PULL_OFF_COUNT) {
   static const double TOLERANCES[] = {1e-4, 1e-6, 1e-8};
   for (int k = 0; k < 3; ++k) {
     const po_request request = panels(PULL_OFF[_i][0], TOLERANCES[k]);
@@ -36,11 +36,10 @@ START_TEST(pull_off_is_accurate_to_the_tolerance) {
     po_result_clear(&o);
   }
 }
-END_TEST
 
 /* Every special point at mu = 5 (reference/feng_landmarks.csv). 500 equal elements find about
  * seventy folds here. */
-START_TEST(four_folds_at_mu_5_and_no_more) {
+TEST(four_folds_at_mu_5_and_no_more) {
   static const double FOLDS[4][2] = {{-4.26358240711533, -0.167117565240784},
                                      {-4.52082488572901, -0.193092486887204},
                                      {-4.504762587767, -0.186478107413032},
@@ -61,10 +60,9 @@ START_TEST(four_folds_at_mu_5_and_no_more) {
     ck_assert_double_eq_tol(o.extrema[k].load, EXTREMA[k][1], 1e-6);
   po_result_clear(&o);
 }
-END_TEST
 
 /* The extra pair of folds at mu = 4 is 8.1e-5 apart in approach. */
-START_TEST(folds_close_together_are_both_found) {
+TEST(folds_close_together_are_both_found) {
   const po_request request = panels(4.0, 1e-7);
   po_result o;
   ck_assert_int_eq(po_solve(&request, &o), PO_OK);
@@ -73,11 +71,10 @@ START_TEST(folds_close_together_are_both_found) {
   ck_assert_double_eq_tol(o.folds[2].approach, -4.02320023613447, 1e-6);
   po_result_clear(&o);
 }
-END_TEST
 
 /* Results with triangles, extrapolated to element size 0 (order 2), agree with panels, also for
  * wavy spheres and bounded surfaces. */
-START_TEST(triangles_converge_to_the_panels) {
+LOOP_TEST(triangles_converge_to_the_panels, 0, 2) {
   po_request request = panels(1.3, 1e-8);
   request.scene.amplitude = 0.7;
   request.scene.wavelength = 23.85;
@@ -100,9 +97,8 @@ START_TEST(triangles_converge_to_the_panels) {
   po_result_clear(&coarse);
   po_result_clear(&fine);
 }
-END_TEST
 
-START_TEST(panel_profile_is_on_its_own_nodes) { /* although the mesh changes later */
+TEST(panel_profile_is_on_its_own_nodes) { /* although the mesh changes later */
   po_request request = panels(2.385, 1e-6);
   request.want = PO_WANT_PROFILE;
   po_result o;
@@ -117,21 +113,19 @@ START_TEST(panel_profile_is_on_its_own_nodes) { /* although the mesh changes lat
   ck_assert_double_eq_tol(-load, o.pull_off.force, 3e-2);
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(tolerance_has_limits) {
+TEST(tolerance_has_limits) {
   po_request request = panels(1.0, 1e-16);
   po_result o;
   ck_assert_int_eq(po_solve(&request, &o), PO_BAD_INPUT);
   request.mesh.tolerance = NAN;
   ck_assert_int_eq(po_solve(&request, &o), PO_BAD_INPUT);
 }
-END_TEST
 
 /* The crests are so narrow that the first contact has no node at a tolerance of 1e-4: an earlier
  * version returned a force of 3e-5 with status ok. The rigid limit is 5.5617e-3. Finer panels
  * resolve the crests. */
-START_TEST(crest_between_nodes_is_refused_or_resolved) {
+TEST(crest_between_nodes_is_refused_or_resolved) {
   static const double FORCE = 0.00556171145; /* at tolerances of 1e-5 to 1e-8 */
   po_request request = panels(1e-3, 1e-4);
   request.scene.amplitude = 1e4;
@@ -148,11 +142,10 @@ START_TEST(crest_between_nodes_is_refused_or_resolved) {
   ck_assert_double_lt(o.pull_off.force_error, 1e-5 * o.pull_off.force);
   po_result_clear(&o);
 }
-END_TEST
 
 /* The distance from the JKR limit, 3/2, falls as mu^-2 times a logarithm, since the traction falls
  * as the distance from the contact edge to the power -3/2. */
-START_TEST(stiff_sphere_approaches_jkr) {
+TEST(stiff_sphere_approaches_jkr) {
   static const double TABOR[] = {100.0, 400.0};
   double beyond[2];
   for (int k = 0; k < 2; ++k) {
@@ -167,7 +160,6 @@ START_TEST(stiff_sphere_approaches_jkr) {
   ck_assert_double_gt(rate, 1.7);
   ck_assert_double_lt(rate, 2.0);
 }
-END_TEST
 
 /* Nearly rigid waves with alpha = A R / lambda^2 = 100; the forces are those of
  * reference/rigid_pull_off.csv. In the first scene a hundred waves are within the range of the
@@ -176,7 +168,7 @@ END_TEST
 static const double RIGID[][3] = {{0.31622776601683794, 0.5623413251903491, 1.58690369},
                                   {1e4, 100.0, 0.00058922685}};
 
-START_TEST(nearly_rigid_waves_are_solved_to_the_tolerance) {
+LOOP_TEST(nearly_rigid_waves_are_solved_to_the_tolerance, 0, 2) {
   po_request request = panels(1e-4, 1e-4);
   request.scene.amplitude = RIGID[_i][0];
   request.scene.wavelength = RIGID[_i][1];
@@ -186,7 +178,6 @@ START_TEST(nearly_rigid_waves_are_solved_to_the_tolerance) {
   ck_assert_double_le(fabs(o.pull_off.force - RIGID[_i][2]), o.pull_off.force_error);
   po_result_clear(&o);
 }
-END_TEST
 
 /* The first two scenes had two spurious folds each when weak waves were allowed panels as coarse as
  * high waves; now they need no second trace. The third scene has high waves, and its first mesh
@@ -200,7 +191,7 @@ static const struct {
                   {{6.3507, 1.0448, 40.547, 110.44, INFINITY}, 1.0, 6, 300},
                   {{4.4434, 9.1904, 46.746, 87.672, INFINITY}, 12.0, 14, SIZE_MAX}};
 
-START_TEST(no_spurious_folds_and_all_have_error_estimates) {
+LOOP_TEST(no_spurious_folds_and_all_have_error_estimates, 0, 3) {
   po_request request = panels(1.0, 1e-4);
   request.scene = MANY_FOLDS[_i].scene;
   request.preload.load = MANY_FOLDS[_i].preload;
@@ -214,13 +205,12 @@ START_TEST(no_spurious_folds_and_all_have_error_estimates) {
   }
   po_result_clear(&o);
 }
-END_TEST
 
 /* Scenes whose first error estimate exceeds the tolerance. The pull-off alone is then solved again
  * on a finer mesh, without another trace, and the result is more accurate than required. */
 static const double REFINED[][2] = {{3.143, 0.271}, {3.589, 0.271}};
 
-START_TEST(pull_off_is_refined_without_another_trace) {
+LOOP_TEST(pull_off_is_refined_without_another_trace, 0, 2) {
   po_request request = panels(REFINED[_i][0], 1e-4);
   request.scene.amplitude = REFINED[_i][1];
   request.scene.wavelength = 5.0;
@@ -238,11 +228,10 @@ START_TEST(pull_off_is_refined_without_another_trace) {
   po_result_clear(&o);
   po_result_clear(&finer);
 }
-END_TEST
 
 /* The waves beyond the domain are averaged with an error of 7.5e-10 of the load, which no mesh
  * shows. The force is that with a domain three times as large. */
-START_TEST(errors_include_the_far_field) {
+TEST(errors_include_the_far_field) {
   po_request request = panels(0.38604, 1e-9);
   request.scene.radius = 601.45;
   request.scene.amplitude = 0.0832256;
@@ -256,12 +245,11 @@ START_TEST(errors_include_the_far_field) {
   ck_assert_double_le(fabs(o.pull_off.approach + 0.3292032459831), o.pull_off.approach_error);
   po_result_clear(&o);
 }
-END_TEST
 
 /* On a cut surface the slope of the deflection is infinite at the end of the traction. The error of
  * the last panel decreases by a factor 4 with each halving, at any tolerance of the Legendre
  * coefficients. The values are the limits of four halvings. */
-START_TEST(errors_include_the_end_of_a_cut_surface) {
+TEST(errors_include_the_end_of_a_cut_surface) {
   po_request request = panels(1.65906, 1e-8);
   request.scene.radius = 52.4711;
   request.scene.outer_radius = 22.569;
@@ -273,11 +261,10 @@ START_TEST(errors_include_the_end_of_a_cut_surface) {
   ck_assert_double_le(fabs(o.folds[0].load + 0.57717267330), o.folds[0].load_error);
   po_result_clear(&o);
 }
-END_TEST
 
 /* The stated errors of a smooth sphere are near the true ones at every tolerance: the force and the
  * approach of the pull-off, and the folds, at mu = 5. */
-START_TEST(errors_are_not_far_above_the_true_ones) {
+LOOP_TEST(errors_are_not_far_above_the_true_ones, 0, 2) {
   static const double TOLERANCES[] = {1e-4, 1e-6};
   static const double FOLD[] = {-4.2635824071153, -4.5208248857290, -4.5047625877670,
                                 -8.1897676562737};
@@ -295,26 +282,4 @@ START_TEST(errors_are_not_far_above_the_true_ones) {
     ck_assert_double_le(fabs(o.folds[k].approach - FOLD[k]), o.folds[k].approach_error);
   ck_assert_double_le(o.folds[0].approach_error, 5.0 * fabs(o.folds[0].approach - FOLD[0]));
   po_result_clear(&o);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, errors_include_the_far_field);
-  tcase_add_test(tests, errors_include_the_end_of_a_cut_surface);
-  tcase_add_loop_test(tests, errors_are_not_far_above_the_true_ones, 0, 2);
-  tcase_add_loop_test(tests, pull_off_is_refined_without_another_trace, 0, 2);
-  tcase_add_loop_test(tests, no_spurious_folds_and_all_have_error_estimates, 0, 3);
-  tcase_add_test(tests, crest_between_nodes_is_refused_or_resolved);
-  tcase_add_test(tests, stiff_sphere_approaches_jkr);
-  tcase_add_loop_test(tests, nearly_rigid_waves_are_solved_to_the_tolerance, 0, 2);
-  tcase_add_loop_test(tests, pull_off_is_accurate_to_the_tolerance, 0, PULL_OFF_COUNT);
-  tcase_add_test(tests, four_folds_at_mu_5_and_no_more);
-  tcase_add_test(tests, folds_close_together_are_both_found);
-  tcase_add_loop_test(tests, triangles_converge_to_the_panels, 0, 2);
-  tcase_add_test(tests, panel_profile_is_on_its_own_nodes);
-  tcase_add_test(tests, tolerance_has_limits);
-}
-
-int main(void) {
-  return run_case("panels", add);
 }

@@ -1,11 +1,11 @@
 /* The work of adhesion of a moving edge, and the pull-off force that follows from it. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "po_jkr.h"
 #include "po_persson_brener.h"
 #include "po_scene.h"
+#include "run.h"
 
 static po_creep_terms terms_of(po_creep creep) {
   po_creep_terms terms;
@@ -26,7 +26,7 @@ static double loss(double x, double tau) {
   return 2.0 / M_PI * sum * M_PI_2 / COUNT;
 }
 
-START_TEST(each_time_is_the_integral_over_the_frequencies) {
+TEST(each_time_is_the_integral_over_the_frequencies) {
   const po_creep_terms terms = {0.1, 2, {{0.3, 0.4}, {2.385, 0.5}}};
   for (double x = 0.01; x < 100.0; x *= 7.3) {
     const double sum = 0.4 * loss(x, 0.3) + 0.5 * loss(x, 2.385);
@@ -35,9 +35,8 @@ START_TEST(each_time_is_the_integral_over_the_frequencies) {
     ck_assert_double_eq_tol(law.speed, law.work / (2.0 * M_PI * x), 1e-14 * law.speed);
   }
 }
-END_TEST
 
-START_TEST(it_goes_from_rest_to_the_glassy_limit) {
+TEST(it_goes_from_rest_to_the_glassy_limit) {
   const po_creep_terms terms = terms_of((po_creep){PO_CREEP_GAMMA, 0.1, 0.6});
   ck_assert_double_eq_tol(po_persson_brener_at(&terms, 1e12).work, 1.0, 1e-11);
   ck_assert_double_eq_tol(po_persson_brener_at(&terms, 1e-20).work, 10.0, 1e-2);
@@ -48,10 +47,9 @@ START_TEST(it_goes_from_rest_to_the_glassy_limit) {
     before = work;
   }
 }
-END_TEST
 
 /* One time in closed form: S = sqrt(1 + x^2) - x gives x = (1 - S^2)/(2 S). */
-START_TEST(one_time_is_inverted_in_closed_form) {
+TEST(one_time_is_inverted_in_closed_form) {
   const po_creep_terms terms = terms_of((po_creep){PO_CREEP_SLS, 0.2, 1.0});
   for (double work = 1.1; work < 5.0; work += 0.37) {
     const double s = (1.0 - 1.0 / work) / 0.8;
@@ -59,7 +57,6 @@ START_TEST(one_time_is_inverted_in_closed_form) {
                             1e-12);
   }
 }
-END_TEST
 
 static const po_preload HARD = {200.0, NAN};
 
@@ -72,7 +69,7 @@ static double force_of(double tabor, po_creep creep, double speed, po_preload pr
   return found.force;
 }
 
-START_TEST(both_limits_are_those_of_jkr) {
+TEST(both_limits_are_those_of_jkr) {
   const po_creep solid = {PO_CREEP_SLS, 0.2, 1.0};
   ck_assert_double_eq_tol(force_of(5.0, solid, 0.0, HARD), 1.5, 1e-6);
   ck_assert_double_eq_tol(force_of(5.0, solid, 1e-7, HARD), 1.5, 1e-4);
@@ -81,11 +78,10 @@ START_TEST(both_limits_are_those_of_jkr) {
   /* k = 1 is elastic at any speed */
   ck_assert_double_eq_tol(force_of(5.0, (po_creep){PO_CREEP_SLS, 1.0, 1.0}, 3.0, HARD), 1.5, 1e-6);
 }
-END_TEST
 
 /* At once, from a contact that is too narrow, the tension is greatest before the edge moves: 3 ways
  * of the load of JKR at the contact radius a of the preload, with w/k. */
-START_TEST(at_once_a_narrow_contact_holds_less) {
+TEST(at_once_a_narrow_contact_holds_less) {
   po_scene scene = po_scene_default();
   scene.tabor = 5.0;
   const double k = 0.1, a = 50.0, c = pow(5.0, 1.5) / sqrt(scene.radius);
@@ -97,9 +93,8 @@ START_TEST(at_once_a_narrow_contact_holds_less) {
   ck_assert_double_lt(force, 14.9);
   ck_assert_double_eq_tol(found, force, 1e-6 * force);
 }
-END_TEST
 
-START_TEST(the_force_rises_with_the_speed) {
+TEST(the_force_rises_with_the_speed) {
   double before = 1.5;
   for (double speed = 1e-4; speed < 1e5; speed *= 10.0) {
     const double force = force_of(5.0, (po_creep){PO_CREEP_GAMMA, 0.1, 0.6}, speed, HARD);
@@ -107,11 +102,10 @@ START_TEST(the_force_rises_with_the_speed) {
     before = force;
   }
 }
-END_TEST
 
 /* The ordinary differential equation dD/da = V/v by steps in time that resolve it, with the closed
  * form of one time: another method. */
-START_TEST(the_path_is_that_of_the_differential_equation) {
+TEST(the_path_is_that_of_the_differential_equation) {
   const double tabor = 3.0, k = 0.3, speed = 2.0, radius = 100.0;
   const double c = pow(tabor, 1.5) / sqrt(radius), s = 16.0 / (9.0 * sqrt(3.0));
   const double length = 8.0 / (M_PI * c * s * s);
@@ -131,24 +125,4 @@ START_TEST(the_path_is_that_of_the_differential_equation) {
                                   4.0 * a * a * a / (3.0 * M_PI * c * radius * radius));
   }
   ck_assert_double_eq_tol(force, greatest, 2e-4 * force);
-}
-END_TEST
-
-int main(void) {
-  Suite *suite = suite_create("persson_brener");
-  TCase *tests = tcase_create("edge");
-  tcase_set_timeout(tests, 60);
-  tcase_add_test(tests, each_time_is_the_integral_over_the_frequencies);
-  tcase_add_test(tests, it_goes_from_rest_to_the_glassy_limit);
-  tcase_add_test(tests, one_time_is_inverted_in_closed_form);
-  tcase_add_test(tests, both_limits_are_those_of_jkr);
-  tcase_add_test(tests, at_once_a_narrow_contact_holds_less);
-  tcase_add_test(tests, the_force_rises_with_the_speed);
-  tcase_add_test(tests, the_path_is_that_of_the_differential_equation);
-  suite_add_tcase(suite, tests);
-  SRunner *runner = srunner_create(suite);
-  srunner_run_all(runner, CK_NORMAL);
-  const int failed = srunner_ntests_failed(runner);
-  srunner_free(runner);
-  return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -26,7 +26,7 @@ static void is_near(double got, double expected) {
     ck_assert_double_eq_tol(got / expected, 1.0, 8 * DBL_EPSILON);
 }
 
-START_TEST(groups_are_those_of_the_paper) {
+LOOP_TEST(groups_are_those_of_the_paper, 0, BODY_COUNT) {
   const po_physical *p = &BODIES[_i];
   po_scene s;
   ck_assert_msg(po_physical_scene(p, &s) == PO_OK, "%s", po_message());
@@ -41,9 +41,8 @@ START_TEST(groups_are_those_of_the_paper) {
   is_near(s.wavelength, p->wavelength / p->distance);
   is_near(s.outer_radius, p->outer_radius / p->distance);
 }
-END_TEST
 
-START_TEST(units_are_those_of_the_paper) {
+TEST(units_are_those_of_the_paper) {
   const po_physical *p = &BODIES[0];
   po_scene s;
   ck_assert_int_eq(po_physical_scene(p, &s), PO_OK);
@@ -59,9 +58,8 @@ START_TEST(units_are_those_of_the_paper) {
   const double gamma = po_scene_gamma(&s) * u.length;
   ck_assert_double_eq_tol(2.0 * M_PI * gamma * gamma * u.traction / (2.0 * u.force), 1.0, 1e-13);
 }
-END_TEST
 
-START_TEST(rigid_has_no_tabor_parameter) {
+TEST(rigid_has_no_tabor_parameter) {
   po_physical p = BODIES[1];
   p.modulus = INFINITY;
   po_scene s;
@@ -69,7 +67,6 @@ START_TEST(rigid_has_no_tabor_parameter) {
   ck_assert_double_eq(s.tabor, 0.0);
   ck_assert(isinf(po_physical_units(&p, &s).traction));
 }
-END_TEST
 
 static const struct {
   size_t place; /* of the member */
@@ -81,7 +78,7 @@ static const struct {
     {offsetof(po_physical, amplitude), 1e-323, "the amplitude over the equilibrium distance is "},
 };
 
-START_TEST(refusals_name_the_bad_value) {
+TABLE_TEST(refusals_name_the_bad_value, BAD) {
   po_physical p = BODIES[0];
   memcpy((char *)&p + BAD[_i].place, &BAD[_i].value, sizeof(double));
   po_scene s = {.tabor = 7.7};
@@ -90,7 +87,6 @@ START_TEST(refusals_name_the_bad_value) {
                 po_message());
   ck_assert_double_eq(s.tabor, 7.7); /* unchanged */
 }
-END_TEST
 
 /* R, w, E*, epsilon, and the units that a person who has this scene would write, by hand: a tip (pi
  * w R = 7.5 nN, w/epsilon = 267 MPa, mu = 0.19), a lens on gelatin (3.1 mN, 100 MPa, mu = 2.2e4, so
@@ -147,7 +143,7 @@ static const struct {
                 {PO_DIMENSION_TRACTION, 1.71066746e8, "MPa"},
                 {PO_DIMENSION_TRACTION, 2.5e-3, "mPa"}};
 
-START_TEST(printed_numbers_are_readable) {
+TABLE_TEST(printed_numbers_are_readable, READABLE) {
   const po_units scenes[] = {{1e-10, 3e-14, 1, 1e3, 1e3, 0, 0},
                              {3e-10, 1.5e-9, 0.05, 1.7e8, 2e7, 0, 0},
                              {1e-3, 1.0, 1.0, 1e9, 1e5, 0, 0}};
@@ -165,9 +161,8 @@ START_TEST(printed_numbers_are_readable) {
   const po_units si = {.length = 1, .force = 1, .tension = 1, .traction = 1};
   ck_assert_str_eq(po_si_readable(&si, PO_DIMENSION_LOAD, 2.474727659e-11).text, "pN");
 }
-END_TEST
 
-START_TEST(units_have_the_prefix_of_the_scene) {
+TABLE_TEST(units_have_the_prefix_of_the_scene, PREFIXED) {
   const po_physical p = {.modulus = PREFIXED[_i].modulus,
                          .work = PREFIXED[_i].work,
                          .distance = PREFIXED[_i].distance,
@@ -186,19 +181,4 @@ START_TEST(units_have_the_prefix_of_the_scene) {
   is_near(po_si_value(&load, -1.5), -1.5 * PREFIXED[_i].load);
   is_near(po_si_value(&gap, 0.25), 1.25 * PREFIXED[_i].length); /* H = h/eps - 1 */
   is_near(po_si_unit_of(&u, PO_DIMENSION_ENERGY).factor, u.force * u.length);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, printed_numbers_are_readable, 0, sizeof READABLE / sizeof *READABLE);
-  tcase_add_loop_test(tests, units_have_the_prefix_of_the_scene, 0,
-                      sizeof PREFIXED / sizeof *PREFIXED);
-  tcase_add_loop_test(tests, groups_are_those_of_the_paper, 0, BODY_COUNT);
-  tcase_add_test(tests, units_are_those_of_the_paper);
-  tcase_add_test(tests, rigid_has_no_tabor_parameter);
-  tcase_add_loop_test(tests, refusals_name_the_bad_value, 0, sizeof BAD / sizeof *BAD);
-}
-
-int main(void) {
-  return run_case("physical", add);
 }

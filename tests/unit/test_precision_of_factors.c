@@ -69,7 +69,7 @@ static void solve_state(fixture *f, double *tangent) {
 
 /* A border nearly perpendicular to the tangent amplifies rounding: from a gain of 30 on, the next
  * factors are in double precision. At this small Tabor parameter there is one equilibrium. */
-START_TEST(gain_of_rounding_asks_for_double) {
+TEST(gain_of_rounding_asks_for_double) {
   static const double PART = 0.1, BELOW = 20.0, ABOVE = 45.0;
   fixture f;
   double tangent[NODES + 1];
@@ -92,7 +92,6 @@ START_TEST(gain_of_rounding_asks_for_double) {
   ck_assert(!po_equilibrium_is_coarse(f.e));
   tear_down(&f);
 }
-END_TEST
 
 /* The largest error of the factors in the contact, radius `contact`, for a change of 1 of all gaps
  * at given approach: of precondition(J change). */
@@ -112,7 +111,7 @@ static double error_of_smooth_change(fixture *f, double contact) {
 /* Surfaces pressed together on a wide soft area: the interactions are 1e9 times the unit matrix,
  * and tractions that nearly cancel give the change of the gap. In single precision the factors
  * would miss it by a factor of 600. */
-START_TEST(factors_hold_large_interactions) {
+LOOP_TEST(factors_hold_large_interactions, 0, 2) {
   static const double CONTACT = 687.5, END = 1000.0, APART = 100.0, TABOR[] = {1.0, 1e4};
   fixture f;
   set_up(&f, TABOR[_i], END, true);
@@ -121,14 +120,4 @@ START_TEST(factors_hold_large_interactions) {
   ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
   ck_assert_double_lt(error_of_smooth_change(&f, CONTACT), 0.1);
   tear_down(&f);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, gain_of_rounding_asks_for_double);
-  tcase_add_loop_test(tests, factors_hold_large_interactions, 0, 2);
-}
-
-int main(void) {
-  return run_case("precision of factors", add);
 }

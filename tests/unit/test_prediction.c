@@ -52,7 +52,7 @@ static double trace(steps *s) {
 /* Predictions to the point after the next, twice as far as the error of the prediction allows. The
  * error there may be ten times the limit. It is no larger where the prediction leaves out some
  * contact edges, and the trace has several such places. */
-START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
+TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
   static steps s; /* too large for the stack */
   po_surface surface = {.core_radius = trace(&s)};
   const po_equilibrium e = {.scene = &SCENE, .surface = &surface};
@@ -77,22 +77,11 @@ START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
   ck_assert_uint_ge(left, 4);
   po_arena_free(&s.arrays);
 }
-END_TEST
 
 /* If the steps follow the contact edges of every annulus from its first contact, there are 133. */
-START_TEST(contact_annuli_form_in_few_steps) {
+TEST(contact_annuli_form_in_few_steps) {
   static steps s; /* too large for the stack */
   trace(&s);
   ck_assert_uint_lt(s.count, 122);
   po_arena_free(&s.arrays);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, edges_are_left_out_only_if_the_prediction_stays_accurate);
-  tcase_add_test(tests, contact_annuli_form_in_few_steps);
-}
-
-int main(void) {
-  return run_case("prediction", add);
 }

@@ -58,7 +58,7 @@ static po_profile profile_of(const char *text) {
   return profile;
 }
 
-START_TEST(functions_agree_with_the_gap) {
+LOOP_TEST(functions_agree_with_the_gap, 0, (PROFILE_COUNT * RADIUS_COUNT)) {
   const po_profile p = profile_of(PROFILES[_i / RADIUS_COUNT]);
   const double r = RADII[_i % RADIUS_COUNT], step = 1e-5 * r;
   const double f = po_profile_gap(&p, R, r), size = po_profile_gap(&p, R, 1.01 * r) + 1e-300;
@@ -75,28 +75,25 @@ START_TEST(functions_agree_with_the_gap) {
   for (double x = r; x < 200.0; x *= 1.003)
     ck_assert_double_ge(po_profile_gap(&p, R, x), beyond * (1.0 - 1e-14));
 }
-END_TEST
 
 /* Far out the gap is a power of the radius; the punch and the truncated sphere tend to one. */
-START_TEST(gap_grows_as_stated) {
+LOOP_TEST(gap_grows_as_stated, 0, PROFILE_COUNT) {
   const po_profile p = profile_of(PROFILES[_i]);
   const double r = 1e9;
   ck_assert_double_eq_tol(r * po_profile_slope(&p, R, r) / po_profile_gap(&p, R, r),
                           po_profile_shape(&p).growth, 2e-8);
 }
-END_TEST
 
 /* Only the truncated sphere has a corner, b/R; the curvature of the punch jumps. */
-START_TEST(jump_of_the_slope_is_that_of_the_corner) {
+TEST(jump_of_the_slope_is_that_of_the_corner) {
   for (size_t k = 0; k < PROFILE_COUNT; ++k) {
     const po_profile p = profile_of(PROFILES[k]);
     const double jump = strncmp(PROFILES[k], "truncated", 9) ? 0.0 : 5.0 / 20.0;
     ck_assert_double_eq_tol(po_profile_slope_jump(&p, R), jump, 1e-14);
   }
 }
-END_TEST
 
-START_TEST(texts_set_what_they_name) {
+TEST(texts_set_what_they_name) {
   po_profile p = po_profile_sphere(), before = p;
   static const char *const BAD[] = {"",           "wedge",    "cone:",      "cone:0.3,2",
                                     "table",      "sphere:1", "power:0.05", "power:1,2,3",
@@ -117,23 +114,21 @@ START_TEST(texts_set_what_they_name) {
   ck_assert(po_profile_has(&p, PO_PUNCH_R) && !po_profile_has(&p, PO_POWER_C));
   ck_assert_str_eq(po_profile_file(&p), "-");
 }
-END_TEST
 
 static const char *const OUT_OF_RANGE[] = {"power:1,0.99",   "power:1,41",   "power:0,2",
                                            "cone:-1",        "punch:0,1",    "punch:1,0",
                                            "truncated:-1,2", "truncated:1,0"};
 
-START_TEST(parameters_out_of_range_are_named) {
+TABLE_TEST(parameters_out_of_range_are_named, OUT_OF_RANGE) {
   po_profile p = po_profile_sphere();
   ck_assert(po_profile_set(&p, OUT_OF_RANGE[_i]));
   ck_assert_int_eq(po_profile_check(&p), PO_BAD_INPUT);
   ck_assert_ptr_nonnull(strstr(po_message(), po_profile_name(&p)));
   ck_assert_ptr_nonnull(strstr(po_message(), "expected"));
 }
-END_TEST
 
 /* f(r)/epsilon of a profile in metres is that of the profile in epsilon at r/epsilon. */
-START_TEST(other_units_of_length) {
+TEST(other_units_of_length) {
   static const char *const METRES[] = {"power:3e7,1.5", "power:5e6,2", "cone:0.3",
                                        "punch:1.5e-9,6e-9", "truncated:1.5e-9,6e-9"};
   const double epsilon = 3e-10;
@@ -153,13 +148,12 @@ START_TEST(other_units_of_length) {
                             1e-12 * (1.0 + po_profile_gap(&one, NAN, RADII[i])));
   ck_assert_double_eq_tol(po_profile_shape(&other).end, 30.0, 1e-13);
 }
-END_TEST
 
 static double parabola(double r) {
   return r * r / 200.0;
 }
 
-START_TEST(table_of_a_parabola_is_the_parabola) {
+TEST(table_of_a_parabola_is_the_parabola) {
   const po_profile p = table_of(parabola, 23, 40.0, 1.0);
   ck_assert_uint_eq(p.table->rows, 23);
   ck_assert_double_lt(p.table->uncertainty, 1e-13);
@@ -169,7 +163,6 @@ START_TEST(table_of_a_parabola_is_the_parabola) {
   for (double r = 0.01; r < 1e4; r *= 1.37)
     ck_assert_double_eq_tol(po_profile_gap(&p, NAN, r), parabola(r), 1e-11 * parabola(r) + 1e-15);
 }
-END_TEST
 
 static double ball(double r) {
   return 40.0 - sqrt(1600.0 - r * r);
@@ -177,7 +170,7 @@ static double ball(double r) {
 
 /* The stated uncertainty of a table bounds its true error. That of a smooth gap falls as the fourth
  * power of the distance of the rows. */
-START_TEST(uncertainty_of_a_table_bounds_its_error) {
+LOOP_TEST(uncertainty_of_a_table_bounds_its_error, 0, 2) {
   double (*const gaps[])(double r) = {ball, bumps};
   double error[2] = {0.0, 0.0};
   for (int refine = 0; refine < 2; ++refine) {
@@ -190,7 +183,6 @@ START_TEST(uncertainty_of_a_table_bounds_its_error) {
   }
   ck_assert(_i == 1 || (error[0] / error[1] > 12.0 && error[0] / error[1] < 20.0));
 }
-END_TEST
 
 /* Reads 21 rows of a parabola and one more, at a small relative distance from the seventh and with
  * its gap. Returned: the greatest error of the table. */
@@ -216,7 +208,7 @@ static po_status read_near_rows(double distance, po_profile *profile, double *er
 /* Two rows at nearly the same radius with the same gap make the slope there 0. At a distance of
  * 1e-15 that is refused. Of rows that were rounded to six digits it is in the stated uncertainty,
  * which was 1e-15: only rows left out were compared, and these two differ by nothing. */
-START_TEST(rows_that_are_too_near_are_noticed) {
+TEST(rows_that_are_too_near_are_noticed) {
   po_profile profile;
   double error;
   ck_assert_int_eq(read_near_rows(1e-15, &profile, &error), PO_CANNOT_READ);
@@ -225,7 +217,6 @@ START_TEST(rows_that_are_too_near_are_noticed) {
   ck_assert_double_gt(error, 0.01);
   ck_assert_double_le(error, 1.02 * profile.table->uncertainty);
 }
-END_TEST
 
 static double ball_of_50(double r) {
   return 50.0 - sqrt(2500.0 - r * r);
@@ -233,7 +224,7 @@ static double ball_of_50(double r) {
 
 /* The theories evaluated all rows at each radius and went from row to row: the JKR theory of 10,000
  * rows took more than 20 s. The thin spline has few knots, and the slopes of the ball. */
-START_TEST(thin_splines_have_the_slopes_of_all_rows) {
+TEST(thin_splines_have_the_slopes_of_all_rows) {
   const po_profile profile = table_of(ball_of_50, 10001, 40.0, 1.0);
   const po_profile_table *thin = profile.table->thin;
   ck_assert_ptr_nonnull(thin);
@@ -246,9 +237,8 @@ START_TEST(thin_splines_have_the_slopes_of_all_rows) {
   }
   ck_assert_ptr_null(table_of(ball_of_50, 256, 40.0, 1.0).table->thin);
 }
-END_TEST
 
-START_TEST(joints_of_a_table_are_its_rows) {
+TEST(joints_of_a_table_are_its_rows) {
   const po_profile p = table_of(parabola, 23, 40.0, 0.3);
   double r = 0.0;
   int joints = 0;
@@ -256,7 +246,6 @@ START_TEST(joints_of_a_table_are_its_rows) {
     ck_assert_double_eq_tol(r, 40.0 * (joints + 1) / 22.0, 1e-12);
   ck_assert_int_eq(joints, 22);
 }
-END_TEST
 
 /* The usual load of a cone without units, for a coupling. */
 static double load_of_cone(double coupling, const char *waves) {
@@ -272,7 +261,7 @@ static double load_of_cone(double coupling, const char *waves) {
 
 /* The pull-off force of JKR of a cone goes as w^2/E, that of rigid cones is fixed. A wave that
  * multiplies the work of adhesion by four multiplies that of JKR by 16. */
-START_TEST(usual_load_is_that_of_the_limit_which_applies) {
+TEST(usual_load_is_that_of_the_limit_which_applies) {
   ck_assert_double_eq_tol(load_of_cone(0.6, "-") / load_of_cone(0.3, "-"), 2.0, 0.1);
   ck_assert_double_eq_tol(load_of_cone(2e-6, "-") / load_of_cone(1e-6, "-"), 1.0, 1e-12);
   const double length = 0.5 * M_PI / 0.3; /* amplitude 1: 1 + 1 = sqrt(4) in Eq 24 */
@@ -284,9 +273,8 @@ START_TEST(usual_load_is_that_of_the_limit_which_applies) {
   ck_assert(po_scene_set_waves(&sphere, wave)); /* coupling 0.1: (1 + sqrt(3))^2 */
   ck_assert_double_eq_tol(po_scene_scales(&sphere).load_factor, 4.0 + 2.0 * sqrt(3.0), 1e-12);
 }
-END_TEST
 
-START_TEST(waves_add_to_the_profile) {
+TEST(waves_add_to_the_profile) {
   po_scene scene = po_scene_default();
   scene.profile = profile_of("cone:0.3");
   ck_assert(po_scene_set_waves(&scene, "0.4@12;0.03@1.7;0.2@5"));
@@ -313,26 +301,4 @@ START_TEST(waves_add_to_the_profile) {
   ck_assert_uint_eq(po_scene_waves(&scene), 3);
   ck_assert(po_scene_set_waves(&scene, "-"));
   ck_assert_uint_eq(po_scene_waves(&scene), 0);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, functions_agree_with_the_gap, 0, PROFILE_COUNT * RADIUS_COUNT);
-  tcase_add_loop_test(tests, gap_grows_as_stated, 0, PROFILE_COUNT);
-  tcase_add_test(tests, jump_of_the_slope_is_that_of_the_corner);
-  tcase_add_test(tests, texts_set_what_they_name);
-  tcase_add_loop_test(tests, parameters_out_of_range_are_named, 0,
-                      sizeof OUT_OF_RANGE / sizeof *OUT_OF_RANGE);
-  tcase_add_test(tests, other_units_of_length);
-  tcase_add_test(tests, table_of_a_parabola_is_the_parabola);
-  tcase_add_loop_test(tests, uncertainty_of_a_table_bounds_its_error, 0, 2);
-  tcase_add_test(tests, rows_that_are_too_near_are_noticed);
-  tcase_add_test(tests, thin_splines_have_the_slopes_of_all_rows);
-  tcase_add_test(tests, joints_of_a_table_are_its_rows);
-  tcase_add_test(tests, usual_load_is_that_of_the_limit_which_applies);
-  tcase_add_test(tests, waves_add_to_the_profile);
-}
-
-int main(void) {
-  return run_case("profile", add);
 }

@@ -5,16 +5,15 @@
 #include "po_quadrature.h"
 #include "run.h"
 
-START_TEST(gauss_rule_is_exact_for_polynomials) {
+TEST(gauss_rule_is_exact_for_polynomials) {
   double node[9], weight[9], sum = 0.0;
   ck_assert_int_eq(po_gauss_rule(9, node, weight), PO_OK);
   for (int i = 0; i < 9; ++i)
     sum += weight[i] * pow(node[i], 17.0);
   ck_assert_double_eq_tol(sum, 1.0 / 18.0, 1e-16);
 }
-END_TEST
 
-START_TEST(log_rule_integrates_powers_times_log) { /* integral of x^k ln x = -1/(k + 1)^2 */
+LOOP_TEST(log_rule_integrates_powers_times_log, 0, 20) { /* integral of x^k ln x = -1/(k + 1)^2 */
   po_near_tables tables;
   const double *node = tables.log_node, *weight = tables.log_weight;
   double log_sum = 0.0, sum = 0.0;
@@ -26,7 +25,6 @@ START_TEST(log_rule_integrates_powers_times_log) { /* integral of x^k ln x = -1/
   ck_assert_double_eq_tol(log_sum * (_i + 1.0) * (_i + 1.0), -1.0, 1e-13);
   ck_assert_double_eq_tol(sum * (_i + 1.0), 1.0, 1e-13);
 }
-END_TEST
 
 /* The integral of x^power ln|x - x0| over (0, 1) for the powers 0 and 1. */
 static double log_moment(double x0, int power) {
@@ -43,7 +41,7 @@ static const double PLACES[] = {-1.7,   -0.31, -1e-3, -1e-9, 0.0,    1e-12,
                                 0.2385, 0.5,   0.99,  1.0,   1.0003, 2.6};
 enum { PLACE_COUNT = sizeof PLACES / sizeof *PLACES };
 
-START_TEST(near_rule_integrates_the_logarithm_at_any_place) {
+LOOP_TEST(near_rule_integrates_the_logarithm_at_any_place, 0, PLACE_COUNT) {
   static const double MIRRORS[] = {1e-6, 0.13, 5.0};
   po_near_tables tables;
   ck_assert_int_eq(po_near_tables_fill(&tables), PO_OK);
@@ -60,9 +58,8 @@ START_TEST(near_rule_integrates_the_logarithm_at_any_place) {
       ck_assert_double_eq_tol(sum, log_moment(PLACES[_i], power), 3e-14);
     }
 }
-END_TEST
 
-START_TEST(lagrange_reproduces_a_polynomial) {
+TEST(lagrange_reproduces_a_polynomial) {
   double node[7], weight[7], barycentric[7], value[7], sum = 0.0;
   ck_assert_int_eq(po_gauss_rule(7, node, weight), PO_OK);
   po_barycentric_weights(7, node, barycentric);
@@ -74,9 +71,8 @@ START_TEST(lagrange_reproduces_a_polynomial) {
   ck_assert_double_eq(value[3], 1.0);
   ck_assert_double_eq(value[2], 0.0);
 }
-END_TEST
 
-START_TEST(hermite_is_exact_for_cubics) { /* f = x^3 - 2 x^2 + 0.3 x on (0, 1.7), and outside */
+TEST(hermite_is_exact_for_cubics) { /* f = x^3 - 2 x^2 + 0.3 x on (0, 1.7), and outside */
   const double h = 1.7, f1 = h * h * h - 2.0 * h * h + 0.3 * h, d1 = 3.0 * h * h - 4.0 * h + 0.3;
   const double x = 2.2;
   const po_hermite w = po_hermite_at(x, h);
@@ -93,7 +89,6 @@ START_TEST(hermite_is_exact_for_cubics) { /* f = x^3 - 2 x^2 + 0.3 x on (0, 1.7)
   ck_assert_double_eq(po_hermite_least_rate(0.0, 1.0, 2.3, 4.6, 1.0, 0.09), 1.0);
   ck_assert_double_eq_tol(po_hermite_least_rate(0.0, 1.0, 2.3, 4.6, 1.0, 0.11), 1.0 / 4.6, 1e-14);
 }
-END_TEST
 
 static double integrand(double x, void *data) {
   switch (*(const int *)data) {
@@ -129,7 +124,7 @@ static const struct {
 };
 enum { INTEGRAL_COUNT = sizeof INTEGRALS / sizeof *INTEGRALS };
 
-START_TEST(adaptive_quadrature_meets_its_tolerance) {
+LOOP_TEST(adaptive_quadrature_meets_its_tolerance, 0, INTEGRAL_COUNT) {
   double found = (double)NAN, reverse = (double)NAN;
   const double from = INTEGRALS[_i].from, to = INTEGRALS[_i].to;
   const double tolerance = INTEGRALS[_i].tolerance, value = INTEGRALS[_i].value;
@@ -138,27 +133,11 @@ START_TEST(adaptive_quadrature_meets_its_tolerance) {
   ck_assert_int_eq(po_integrate(integrand, &_i, to, from, 1e-3, 0.0, &reverse), PO_OK);
   ck_assert_double_le(fabs(reverse + value), 1e-3);
 }
-END_TEST
 
 /* On more waves than 200 intervals can resolve, and on a function that is not finite. */
-START_TEST(adaptive_quadrature_gives_up) {
+TEST(adaptive_quadrature_gives_up) {
   double found;
   int waves = 7, root = 1;
   ck_assert_int_eq(po_integrate(integrand, &waves, 0, 1, 0.0, 1e-12, &found), PO_NOT_CONVERGED);
   ck_assert_int_eq(po_integrate(integrand, &root, -1, 1, 0.0, 1e-6, &found), PO_NOT_CONVERGED);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, gauss_rule_is_exact_for_polynomials);
-  tcase_add_loop_test(tests, log_rule_integrates_powers_times_log, 0, 20);
-  tcase_add_loop_test(tests, near_rule_integrates_the_logarithm_at_any_place, 0, PLACE_COUNT);
-  tcase_add_test(tests, lagrange_reproduces_a_polynomial);
-  tcase_add_test(tests, hermite_is_exact_for_cubics);
-  tcase_add_loop_test(tests, adaptive_quadrature_meets_its_tolerance, 0, INTEGRAL_COUNT);
-  tcase_add_test(tests, adaptive_quadrature_gives_up);
-}
-
-int main(void) {
-  return run_case("quadrature", add);
 }

@@ -16,7 +16,7 @@ static double gamma_of(double exponent, double t) {
   return exponent == 1.5 ? (1.0 + 2.0 * s) * factor : (1.0 + 2.0 * s + 4.0 / 3.0 * t) * factor;
 }
 
-START_TEST(gamma_spectra_have_their_closed_form) {
+TEST(gamma_spectra_have_their_closed_form) {
   static const double EXPONENTS[] = {0.5, 1.5, 2.5}, K = 0.1;
   for (int k = 0; k < 3; ++k) {
     po_creep_terms terms;
@@ -27,7 +27,7 @@ START_TEST(gamma_spectra_have_their_closed_form) {
   }
 }
 
-START_TEST(terms_have_all_the_weight) {
+TEST(terms_have_all_the_weight) {
   for (double exponent = 0.05; exponent < 10.0; exponent *= 1.6)
     for (double duration = 1e-9; duration < 1e10; duration *= 1e3) {
       po_creep_terms terms;
@@ -40,7 +40,7 @@ START_TEST(terms_have_all_the_weight) {
     }
 }
 
-START_TEST(texts_of_materials_are_read_and_refused) {
+TEST(texts_of_materials_are_read_and_refused) {
   static const char *const WRONG[] = {
       "",          "sls",        "sls:",           "sls:0",        "sls:1.01",      "sls:0.1,2",
       "gamma:0.1", "gamma:0.1,", "gamma:0.1,0.04", "gamma:0.1,11", "gamma:0.1,1,1", "sls:nan",
@@ -98,16 +98,16 @@ static void same_as_elastic(const double scene[3], po_creep creep, double speed)
   po_result_clear(&b);
 }
 
-START_TEST(at_speed_0_the_body_is_elastic) {
+LOOP_TEST(at_speed_0_the_body_is_elastic, 0, SCENE_COUNT) {
   same_as_elastic(SCENES[_i], SOLID, 0.0);
 }
 
-START_TEST(with_one_modulus_the_body_is_elastic) {
+LOOP_TEST(with_one_modulus_the_body_is_elastic, 0, SCENE_COUNT) {
   same_as_elastic(SCENES[_i], (po_creep){PO_CREEP_SLS, 1.0, 1.0}, 10.0);
 }
 
 /* The jumps of unloading lose what the elastic loop loses in its own. */
-START_TEST(jumps_lose_what_the_elastic_loop_loses) {
+TEST(jumps_lose_what_the_elastic_loop_loses) {
   po_request elastic = rate_of(3.0, 1.0, 10.0, ELASTIC, NAN);
   elastic.want |= PO_WANT_HYSTERESIS;
   const po_request creeping = rate_of(3.0, 1.0, 10.0, SOLID, 0.0);
@@ -127,7 +127,7 @@ START_TEST(jumps_lose_what_the_elastic_loop_loses) {
 }
 
 /* Far slower and far faster than all its times, the body is near its limits. */
-START_TEST(speeds_tend_to_the_limits) {
+TEST(speeds_tend_to_the_limits) {
   const double slow = 1e-6, fast = 1e7;
   const double speeds[] = {0.0, slow, fast, INFINITY};
   double force[4];
@@ -144,7 +144,7 @@ START_TEST(speeds_tend_to_the_limits) {
 
 /* With a hundredth of the tolerance the steps are a third as long: a tenth of the error, of the
  * second order. The extrapolated values agree within the stated errors. */
-START_TEST(steps_are_of_second_order) {
+TEST(steps_are_of_second_order) {
   const double tolerances[] = {1e-5, 1e-7};
   double force[2], work[2], part[2], imbalance[2], error[2];
   for (int k = 0; k < 2; ++k) {
@@ -169,7 +169,7 @@ START_TEST(steps_are_of_second_order) {
 
 /* The balance of energy of every step, and the dissipation, which never falls. Through a spring,
  * with a jump; and of a wavy sphere. */
-START_TEST(energy_is_balanced_and_dissipation_is_positive) {
+LOOP_TEST(energy_is_balanced_and_dissipation_is_positive, 0, 3) {
   po_request request = _i == 0 ? rate_of(1.0, 0.0, 5.0, SOLID, 1.0)
                        : _i == 1
                            ? rate_of(1.0, 0.0, 3.0, SOLID, 2.0)
@@ -199,7 +199,7 @@ START_TEST(energy_is_balanced_and_dissipation_is_positive) {
 /* Values of the independent solver of reference/make/unloading.py, with its digits: a body of one
  * time, mu = 1, k = 0.1, moved from approach 5 to 0 at speed 1. Between two states of the history
  * the work is a parabola, whose chord is off by less than 1e-4. */
-START_TEST(work_until_approach_0_is_that_of_the_independent_solver) {
+TEST(work_until_approach_0_is_that_of_the_independent_solver) {
   po_request request = rate_of(1.0, 0.0, 5.0, SOLID, 1.0);
   request.want |= PO_WANT_HISTORY;
   po_result result = solved(&request);
@@ -211,21 +211,4 @@ START_TEST(work_until_approach_0_is_that_of_the_independent_solver) {
   ck_assert_double_eq_tol(a->work + part * (b->work - a->work), 3.6514, 2e-4);
   ck_assert_double_eq_tol(a->dissipated + part * (b->dissipated - a->dissipated), 6.5210, 2e-4);
   po_result_clear(&result);
-}
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, gamma_spectra_have_their_closed_form);
-  tcase_add_test(tests, terms_have_all_the_weight);
-  tcase_add_test(tests, texts_of_materials_are_read_and_refused);
-  tcase_add_loop_test(tests, at_speed_0_the_body_is_elastic, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, with_one_modulus_the_body_is_elastic, 0, SCENE_COUNT);
-  tcase_add_test(tests, jumps_lose_what_the_elastic_loop_loses);
-  tcase_add_test(tests, speeds_tend_to_the_limits);
-  tcase_add_test(tests, steps_are_of_second_order);
-  tcase_add_loop_test(tests, energy_is_balanced_and_dissipation_is_positive, 0, 3);
-  tcase_add_test(tests, work_until_approach_0_is_that_of_the_independent_solver);
-}
-
-int main(void) {
-  return run_case("rate", add);
 }

@@ -23,7 +23,7 @@ static const double BOTH[][4] = {{200.0, 1e3, 0.0, 0.0},
                                  {200.0, 3e4, 60.0, 2500.0},
                                  {300.0, 1e5, 50.0, 6000.0}};
 
-START_TEST(agrees_with_the_true_range_within_the_stated_errors) {
+TABLE_TEST(agrees_with_the_true_range_within_the_stated_errors, BOTH) {
   po_request request = request_of(BOTH[_i][0], BOTH[_i][1], BOTH[_i][2], BOTH[_i][3]);
   request.range = PO_RANGE_EXACT;
   po_result exact, reduced;
@@ -43,10 +43,9 @@ START_TEST(agrees_with_the_true_range_within_the_stated_errors) {
   po_result_clear(&exact);
   po_result_clear(&reduced);
 }
-END_TEST
 
 /* Every special point that is stated is one of the true range. */
-START_TEST(special_points_are_those_of_the_true_range) {
+TEST(special_points_are_those_of_the_true_range) {
   po_request request = request_of(BOTH[1][0], BOTH[1][1], BOTH[1][2], BOTH[1][3]);
   request.range = PO_RANGE_EXACT;
   po_result exact, reduced;
@@ -65,11 +64,10 @@ START_TEST(special_points_are_those_of_the_true_range) {
   po_result_clear(&exact);
   po_result_clear(&reduced);
 }
-END_TEST
 
 /* A sphere of centimetres with a range of atoms: JKR theory, whose pull-off is 3/2 at the approach
  * -(3/4)(pi^2)^(1/3) mu and the contact radius (9 pi/8)^(1/3) sqrt(R mu). */
-START_TEST(smooth_spheres_tend_to_the_jkr_theory) {
+LOOP_TEST(smooth_spheres_tend_to_the_jkr_theory, 0, 3) {
   static const double TABOR[] = {2e4, 1e6, 1e9};
   const po_request request = request_of(TABOR[_i], 1e9, 0.0, 0.0);
   po_result o;
@@ -81,11 +79,10 @@ START_TEST(smooth_spheres_tend_to_the_jkr_theory) {
                           o.pull_off.contact_radius_error + 1e-6 * o.pull_off.contact_radius);
   po_result_clear(&o);
 }
-END_TEST
 
 /* A wavy sphere of R/epsilon = 4e9: ten times as great and ten times as small a range differ by
  * less than the stated errors. */
-START_TEST(the_range_does_not_matter_where_it_is_small) {
+TEST(the_range_does_not_matter_where_it_is_small) {
   double force[2], error[2];
   for (int k = 0; k < 2; ++k) {
     const double s = k ? 100.0 : 1.0;
@@ -100,7 +97,6 @@ START_TEST(the_range_does_not_matter_where_it_is_small) {
   }
   ck_assert_double_eq_tol(force[0], force[1], error[0] + error[1]);
 }
-END_TEST
 
 static void expect_refusal(const po_request *request) {
   po_result o;
@@ -109,7 +105,7 @@ static void expect_refusal(const po_request *request) {
   po_result_clear(&o);
 }
 
-START_TEST(refused_where_it_does_not_apply) {
+TEST(refused_where_it_does_not_apply) {
   const po_request asked = request_of(200.0, 1e3, 0.0, 0.0);
   po_request request = asked;
   request.range = PO_RANGE_REDUCED;
@@ -128,10 +124,9 @@ START_TEST(refused_where_it_does_not_apply) {
   ck_assert(po_profile_set(&request.scene.profile, "cone:0.1"));
   expect_refusal(&request);
 }
-END_TEST
 
 /* The contact edges of this scene change the force by so much that no range gives ten digits. */
-START_TEST(an_error_above_the_tolerance_fails_with_the_error) {
+TEST(an_error_above_the_tolerance_fails_with_the_error) {
   po_request request = request_of(60.0, 1e4, 20.0, 900.0);
   request.range = PO_RANGE_REDUCED;
   request.mesh.tolerance = 1e-10;
@@ -142,7 +137,6 @@ START_TEST(an_error_above_the_tolerance_fails_with_the_error) {
   ck_assert_double_gt(o.pull_off.force_error, 1e-9 * o.pull_off.force);
   po_result_clear(&o);
 }
-END_TEST
 
 /* A sphere whose second crest touches at a load that grows as the range decreases, to 1.8. With
  * ranges 118 to 670 times as great it touches at a load of 1.2 to 1.6. */
@@ -154,7 +148,7 @@ static po_request with_a_crest(double preload) {
 
 /* With the true range loading is reversed before the crest touches; with greater ones after it,
  * where the pull-off force is eighty times as great. */
-START_TEST(a_jump_that_the_true_range_does_not_make_is_not_made) {
+TEST(a_jump_that_the_true_range_does_not_make_is_not_made) {
   po_request request = with_a_crest(1.6976527);
   po_result exact, reduced;
   request.range = PO_RANGE_REDUCED;
@@ -168,10 +162,9 @@ START_TEST(a_jump_that_the_true_range_does_not_make_is_not_made) {
   po_result_clear(&exact);
   po_result_clear(&reduced);
 }
-END_TEST
 
 /* Beyond that load it does touch. */
-START_TEST(a_jump_that_the_true_range_makes_is_made) {
+TEST(a_jump_that_the_true_range_makes_is_made) {
   const po_request request = with_a_crest(1.9);
   po_result o;
   ck_assert_int_eq(po_solve(&request, &o), PO_OK);
@@ -179,10 +172,9 @@ START_TEST(a_jump_that_the_true_range_makes_is_made) {
   ck_assert_double_gt(o.pull_off.force, 12.0);
   po_result_clear(&o);
 }
-END_TEST
 
 /* So close to it that no range decides, the solve fails. */
-START_TEST(a_jump_close_to_the_preload_is_not_decided) {
+TEST(a_jump_close_to_the_preload_is_not_decided) {
   po_request request = with_a_crest(1.8);
   request.range = PO_RANGE_REDUCED;
   po_result o;
@@ -191,11 +183,10 @@ START_TEST(a_jump_close_to_the_preload_is_not_decided) {
   ck_assert(!o.has_pull_off);
   po_result_clear(&o);
 }
-END_TEST
 
 /* Folds of the unstable equilibria between two jumps of loading, dozens with each range, are passed
  * by two traces only: the scene was not solved in 20 s when each range was traced. */
-START_TEST(takes_few_points) {
+TEST(takes_few_points) {
   po_request request = request_of(8492.83, 28247.0, 12688.5, 20582.5);
   request.preload.load = 3.02284;
   po_result o;
@@ -205,11 +196,10 @@ START_TEST(takes_few_points) {
   ck_assert_uint_lt(o.work.points, 3000);
   po_result_clear(&o);
 }
-END_TEST
 
 /* The contact edges of this scene are not so narrow that greater ranges are chosen, but its trace
  * takes 1,800 points. */
-START_TEST(a_long_trace_gives_way_to_greater_ranges) {
+TEST(a_long_trace_gives_way_to_greater_ranges) {
   po_request request = request_of(184.343, 17004.4, 18.4363, 660.668);
   request.preload.load = 5.1584;
   po_result exact, taken;
@@ -222,24 +212,4 @@ START_TEST(a_long_trace_gives_way_to_greater_ranges) {
                           taken.pull_off.force_error + exact.pull_off.force_error);
   po_result_clear(&exact);
   po_result_clear(&taken);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, agrees_with_the_true_range_within_the_stated_errors, 0,
-                      sizeof BOTH / sizeof *BOTH);
-  tcase_add_test(tests, special_points_are_those_of_the_true_range);
-  tcase_add_loop_test(tests, smooth_spheres_tend_to_the_jkr_theory, 0, 3);
-  tcase_add_test(tests, the_range_does_not_matter_where_it_is_small);
-  tcase_add_test(tests, refused_where_it_does_not_apply);
-  tcase_add_test(tests, a_jump_that_the_true_range_does_not_make_is_not_made);
-  tcase_add_test(tests, a_jump_that_the_true_range_makes_is_made);
-  tcase_add_test(tests, a_jump_close_to_the_preload_is_not_decided);
-  tcase_add_test(tests, takes_few_points);
-  tcase_add_test(tests, a_long_trace_gives_way_to_greater_ranges);
-  tcase_add_test(tests, an_error_above_the_tolerance_fails_with_the_error);
-}
-
-int main(void) {
-  return run_case("reduced", add);
 }

@@ -150,7 +150,7 @@ static const struct {
   double preload;
 } LOOPS[] = {{{4.0, 0.4, 10.0, 100.0, 60.0}, 4.0}, {{4.0, 3.0, 10.0, 100.0, 70.0}, 14.0}};
 
-START_TEST(relaxation_after_a_jump_agrees_with_the_path) {
+LOOP_TEST(relaxation_after_a_jump_agrees_with_the_path, 0, 2) {
   po_request request = po_request_default();
   request.scene = LOOPS[_i].scene;
   request.mesh = (po_mesh){PO_TRIANGLE, PO_UNIFORM, 141, 0.0};
@@ -177,13 +177,4 @@ START_TEST(relaxation_after_a_jump_agrees_with_the_path) {
   end(&r);
   po_surface_destroy(surface);
   po_result_clear(&o);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, relaxation_after_a_jump_agrees_with_the_path, 0, 2);
-}
-
-int main(void) {
-  return run_case("relaxation", add);
 }

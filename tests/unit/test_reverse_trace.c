@@ -26,7 +26,7 @@ static const expected SCENES[] = {
     {{1.78343, 3.51838, 4.03854, 60.7776, INFINITY}, 5.2, 2, 9},
 };
 
-START_TEST(reverse_trace_finds_the_same_folds) {
+TABLE_TEST(reverse_trace_finds_the_same_folds, SCENES) {
   const expected *known = &SCENES[_i];
   po_request request = po_request_default();
   request.scene = known->scene;
@@ -59,11 +59,10 @@ START_TEST(reverse_trace_finds_the_same_folds) {
   po_result_clear(&plain);
   po_result_clear(&o);
 }
-END_TEST
 
 /* Just before a contact annulus forms, the load has two extrema 0.053 eps apart. At this tolerance
  * an earlier version missed them and ended elsewhere. */
-START_TEST(extrema_just_before_an_annulus_forms_are_found) {
+TEST(extrema_just_before_an_annulus_forms_are_found) {
   po_request request = po_request_default();
   request.scene = (po_scene){1.56744, 3.76602, 13.2004, 502.623, 278.158};
   request.mesh.scheme = PO_PANEL;
@@ -76,7 +75,6 @@ START_TEST(extrema_just_before_an_annulus_forms_are_found) {
   ck_assert_double_eq_tol(o.extrema[6].approach, 4.505330, 1e-5);
   po_result_clear(&o);
 }
-END_TEST
 
 /* Points of a synthetic forward trace: fold, minimum, fold, between two others. */
 typedef struct {
@@ -123,7 +121,7 @@ static po_reverse_trace judge(size_t missing, po_special_kind last, double off, 
   return way;
 }
 
-START_TEST(differences_are_relative_to_the_errors) {
+TEST(differences_are_relative_to_the_errors) {
   const po_reverse_trace way = judge(COUNT, PO_JUMP_IN, 4.5e-7, 0, PO_OK);
   ck_assert(way.same);
   ck_assert_uint_eq(way.folds, 2);
@@ -132,9 +130,8 @@ START_TEST(differences_are_relative_to_the_errors) {
   ck_assert_double_eq(way.fold_load, 0.0);
   ck_assert_double_eq_tol(way.excess, 1.5, 1e-8);
 }
-END_TEST
 
-START_TEST(different_special_points_are_reported) {
+TEST(different_special_points_are_reported) {
   const po_reverse_trace missing = judge(1, PO_JUMP_IN, 0.0, 0, PO_OK);
   ck_assert(!missing.same && isnan(missing.excess));
   ck_assert_uint_eq(missing.folds, 1);
@@ -142,16 +139,4 @@ START_TEST(different_special_points_are_reported) {
   ck_assert(!judge(COUNT, PO_JUMP_OUT, 0.0, 0, PO_OK).same);
   ck_assert(!judge(COUNT, PO_JUMP_IN, 0.0, 1, PO_OK).same);
   ck_assert(!judge(COUNT, PO_JUMP_IN, 0.0, 0, PO_STEP_TOO_SMALL).same);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, reverse_trace_finds_the_same_folds, 0, sizeof SCENES / sizeof *SCENES);
-  tcase_add_test(tests, extrema_just_before_an_annulus_forms_are_found);
-  tcase_add_test(tests, differences_are_relative_to_the_errors);
-  tcase_add_test(tests, different_special_points_are_reported);
-}
-
-int main(void) {
-  return run_case("reverse_trace", add);
 }

@@ -15,7 +15,7 @@ static double bradley(double approach) {
   return -2.0 * (4.0 * pow(x, 6.0) - 1.0) / (3.0 * pow(x, 8.0));
 }
 
-START_TEST(smooth_rigid_sphere_is_eq_23) {
+TABLE_TEST(smooth_rigid_sphere_is_eq_23, APPROACHES) {
   const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
   const double approach = APPROACHES[_i];
   double load = NAN, rate = NAN;
@@ -24,7 +24,6 @@ START_TEST(smooth_rigid_sphere_is_eq_23) {
   const double x = 1.0 - approach, exact = -16.0 / 3.0 * (pow(x, -3.0) - pow(x, -9.0));
   ck_assert_double_eq_tol(rate, exact, 1e-10 * fmax(1.0, fabs(exact)));
 }
-END_TEST
 
 /* Eq 22 by a fine midpoint sum in theta with the first Euler-Maclaurin term at 0. Beyond 400
  * periods the gap is replaced by its mean over a period. */
@@ -51,7 +50,7 @@ static const double WAVES[][3] = {
     {0.03, 5.0, -0.4},
     {1.1, 40.0, 0.1}};
 
-START_TEST(wavy_rigid_sphere_is_eq_22) {
+TABLE_TEST(wavy_rigid_sphere_is_eq_22, WAVES) {
   const double alpha = WAVES[_i][0], amplitude = WAVES[_i][1], approach = WAVES[_i][2];
   const double radius = 77.0;
   const po_scene scene = {0.0, amplitude, sqrt(amplitude * radius / alpha), radius, INFINITY};
@@ -63,12 +62,11 @@ START_TEST(wavy_rigid_sphere_is_eq_22) {
   po_rigid_load(&scene, approach - 1e-5, &down, &unused);
   ck_assert_double_eq_tol(rate, (up - down) / 2e-5, 1e-6 * fmax(1.0, fabs(rate)));
 }
-END_TEST
 
 /* Short waves are averaged. Both ways give the same load where the one takes over from the other,
  * at lambda^2/(8 pi^2 R) = 1e-7 (1 - approach). Waves of 0.03 times this length would be too many
  * to be integrated one by one; the load is then that of the limit, to 1.3e-6. */
-START_TEST(short_waves_are_averaged) {
+TEST(short_waves_are_averaged) {
   static const double PARTS[] = {1.0 + 1e-6, 1.0 - 1e-6, 0.03};
   const double approach = 0.2, radius = 100.0;
   const double limit = M_PI * sqrt(8e-7 * radius * (1.0 - approach));
@@ -80,10 +78,9 @@ START_TEST(short_waves_are_averaged) {
   ck_assert_double_eq_tol(load[1], load[0], 1e-9); /* 4.8e-10 is the averaging far out */
   ck_assert_double_eq_tol(load[2], load[0], 2e-6);
 }
-END_TEST
 
 /* The load of the tail, r > r_max = R, in closed form. */
-START_TEST(bounded_surface_lacks_the_load_of_the_tail) {
+TEST(bounded_surface_lacks_the_load_of_the_tail) {
   const po_scene whole = {0.0, 0.0, 0.0, 100.0, INFINITY}, cut = {0.0, 0.0, 0.0, 100.0, 100.0};
   double a = NAN, b = NAN, rate;
   po_rigid_load(&whole, 0.0, &a, &rate);
@@ -91,7 +88,6 @@ START_TEST(bounded_surface_lacks_the_load_of_the_tail) {
   const double x = 1.0 / 51.0; /* 1 + H at r = R */
   ck_assert_double_eq_tol(a - b, -16.0 / 3.0 * (x * x / 2.0 - pow(x, 8.0) / 8.0), 1e-11);
 }
-END_TEST
 
 /* The energy under a Mie law whose far field makes it just finite. It was not_converged below m =
  * 2.1 of a sphere, with a message about the load. */
@@ -114,7 +110,7 @@ static double of_power(double e, double x, double power, double factor) {
   return pow(factor, -q) / power * exp(lgamma(q) + lgamma(e - q) - lgamma(e)) * pow(x, q - e);
 }
 
-START_TEST(energy_that_falls_slowly_is_that_of_a_beta_function) {
+TABLE_TEST(energy_that_falls_slowly_is_that_of_a_beta_function, SLOW) {
   static const double AT[] = {-50.625, -0.3, 0.2, 0.77};
   po_scene scene = po_scene_default();
   scene.radius = 100.0;
@@ -131,10 +127,9 @@ START_TEST(energy_that_falls_slowly_is_that_of_a_beta_function) {
     ck_assert_double_eq_tol(energy, exact, 3e-12 * fabs(exact));
   }
 }
-END_TEST
 
 /* dU/d(approach) is the load, whatever the waves. */
-START_TEST(energy_that_falls_slowly_has_the_load_as_its_rate) {
+TEST(energy_that_falls_slowly_has_the_load_as_its_rate) {
   po_scene scene = po_scene_default();
   scene.radius = 77.0;
   scene.amplitude = 0.4;
@@ -147,7 +142,6 @@ START_TEST(energy_that_falls_slowly_has_the_load_as_its_rate) {
   ck_assert_int_eq(po_rigid_load(&scene, approach, &load, &rate), PO_OK);
   ck_assert_double_eq_tol((up - down) / (2.0 * step), load, 1e-4 * fabs(load));
 }
-END_TEST
 
 typedef struct {
   int minima, stations, points;
@@ -167,7 +161,7 @@ static bool look(const po_branch_point *p, void *data) {
   return false;
 }
 
-START_TEST(trace_finds_pull_off_and_station) {
+TEST(trace_finds_pull_off_and_station) {
   const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
   seen s = {0, 0, 0, 0.0, 0.0, 0.0};
   po_continuation_options options = po_continuation_options_default();
@@ -184,9 +178,8 @@ START_TEST(trace_finds_pull_off_and_station) {
   options.end = 1.0;
   ck_assert_int_eq(po_rigid_trace(&scene, -5.0, &options), PO_BAD_INPUT);
 }
-END_TEST
 
-START_TEST(scene_is_solved_as_rigid_only_at_negligible_elasticity) {
+TEST(scene_is_solved_as_rigid_only_at_negligible_elasticity) {
   po_scene scene = po_scene_default();
   scene.tabor = 1e-4; /* the value that the paper uses for its rigid limit */
   ck_assert(!po_rigid_suffices(&scene));
@@ -194,22 +187,4 @@ START_TEST(scene_is_solved_as_rigid_only_at_negligible_elasticity) {
   ck_assert(po_rigid_suffices(&scene));
   scene.tabor = 0.0;
   ck_assert(po_rigid_suffices(&scene));
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, smooth_rigid_sphere_is_eq_23, 0,
-                      sizeof APPROACHES / sizeof *APPROACHES);
-  tcase_add_loop_test(tests, wavy_rigid_sphere_is_eq_22, 0, sizeof WAVES / sizeof *WAVES);
-  tcase_add_test(tests, short_waves_are_averaged);
-  tcase_add_test(tests, bounded_surface_lacks_the_load_of_the_tail);
-  tcase_add_loop_test(tests, energy_that_falls_slowly_is_that_of_a_beta_function, 0,
-                      sizeof SLOW / sizeof *SLOW);
-  tcase_add_test(tests, energy_that_falls_slowly_has_the_load_as_its_rate);
-  tcase_add_test(tests, trace_finds_pull_off_and_station);
-  tcase_add_test(tests, scene_is_solved_as_rigid_only_at_negligible_elasticity);
-}
-
-int main(void) {
-  return run_case("rigid", add);
 }

@@ -89,26 +89,15 @@ static void compare_along(const po_scene *scene, double error) {
 }
 
 /* At mu = 7 both are accurate. */
-START_TEST(it_is_the_tangent_at_fixed_nodes) {
+TEST(it_is_the_tangent_at_fixed_nodes) {
   const po_scene scene = {
       .tabor = 7.0, .wavelength = 20.0, .radius = 100.0, .outer_radius = INFINITY};
   compare_along(&scene, 1e-6);
 }
-END_TEST
 
 /* The same on a cut surface. The ring that is added at its end changes the load by 0.03 in the unit
  * of the scale; the gap has an infinite slope there, so that its rate is less accurate. */
-START_TEST(it_is_the_tangent_on_a_cut_surface) {
+TEST(it_is_the_tangent_on_a_cut_surface) {
   const po_scene scene = {.tabor = 7.0, .wavelength = 20.0, .radius = 100.0, .outer_radius = 60.0};
   compare_along(&scene, 1e-4);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, it_is_the_tangent_at_fixed_nodes);
-  tcase_add_test(tests, it_is_the_tangent_on_a_cut_surface);
-}
-
-int main(void) {
-  return run_case("scaled tangent", add);
 }

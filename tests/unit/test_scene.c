@@ -8,7 +8,7 @@
 #include "po_wavy_rigid.h"
 #include "run.h"
 
-START_TEST(dimensionless_groups_are_those_of_the_paper) {
+TEST(dimensionless_groups_are_those_of_the_paper) {
   po_scene scene = {.tabor = 2.385,
                     .amplitude = 1.3,
                     .wavelength = 17.0,
@@ -19,7 +19,6 @@ START_TEST(dimensionless_groups_are_those_of_the_paper) {
   scene.amplitude = 0.0;
   ck_assert_double_eq(po_scene_alpha(&scene), 0.0);
 }
-END_TEST
 
 typedef struct {
   po_scene scene;
@@ -33,14 +32,13 @@ static const bad_scene BAD[] = {
     {{1.0, 0.0, 0.0, 100.0, NAN}, "outer_radius"},
 };
 
-START_TEST(bad_scenes_are_named) {
+TABLE_TEST(bad_scenes_are_named, BAD) {
   ck_assert_int_eq(po_scene_check(&BAD[_i].scene), PO_BAD_INPUT);
   ck_assert_ptr_nonnull(strstr(po_message(), BAD[_i].key));
   ck_assert_ptr_nonnull(strstr(po_message(), "expected"));
 }
-END_TEST
 
-START_TEST(profile_is_eq_2) {
+TEST(profile_is_eq_2) {
   const po_scene scene = {1.0, 0.7, 13.0, 91.0, INFINITY};
   const double r = 2.385;
   ck_assert_double_eq_tol(po_initial_gap(&scene, r),
@@ -50,9 +48,8 @@ START_TEST(profile_is_eq_2) {
   const double tiny = 1e-9, curvature = 1.0 / 182.0 + 2.0 * M_PI * M_PI * 0.7 / 169.0;
   ck_assert_double_eq_tol(po_initial_gap(&scene, tiny) / (tiny * tiny * curvature), 1.0, 1e-14);
 }
-END_TEST
 
-START_TEST(averaging_begins_where_a_wave_ends) {
+TEST(averaging_begins_where_a_wave_ends) {
   const po_scene scene = {3.0, 1.0, 20.0, 100.0, INFINITY};
   const double phase = po_averaging_phase(&scene, 83.0), end = po_averaging_radius(&scene, phase);
   ck_assert_double_eq_tol(phase, 90.0, 1e-12);
@@ -61,26 +58,12 @@ START_TEST(averaging_begins_where_a_wave_ends) {
   smooth.amplitude = 0.0;
   ck_assert_double_eq(po_averaging_radius(&smooth, 83.0), 83.0);
 }
-END_TEST
 
-START_TEST(bradley_is_eq_23) {
+TEST(bradley_is_eq_23) {
   ck_assert_double_eq_tol(po_bradley_load(0.0), -2.0, 1e-15); /* its minimum */
   const double x = 1.0 + 2.385;
   ck_assert_double_eq_tol(po_bradley_load(-2.385),
                           -2.0 * (4.0 * pow(x, 6.0) - 1.0) / (3.0 * pow(x, 8.0)), 1e-15);
   ck_assert(isnan(po_bradley_load(1.0)));
   ck_assert(isnan(po_bradley_load(NAN)));
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, dimensionless_groups_are_those_of_the_paper);
-  tcase_add_loop_test(tests, bad_scenes_are_named, 0, sizeof BAD / sizeof *BAD);
-  tcase_add_test(tests, profile_is_eq_2);
-  tcase_add_test(tests, averaging_begins_where_a_wave_ends);
-  tcase_add_test(tests, bradley_is_eq_23);
-}
-
-int main(void) {
-  return run_case("scene", add);
 }

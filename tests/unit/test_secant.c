@@ -57,23 +57,21 @@ static outcome iterate(const double *matrix, int steps, updates which, double sc
 }
 
 /* D. M. Gay, SIAM J. Numer. Anal. 16 (1979) 623: after 2 n steps the solution is exact. */
-START_TEST(broyden_solves_a_linear_system_in_finitely_many_steps) {
+LOOP_TEST(broyden_solves_a_linear_system_in_finitely_many_steps, 0, 3) {
   ck_assert_double_lt(iterate(MATRIX[0], 2 * N, UPDATES, 1.7 * _i).error, 1e-13);
   ck_assert_double_gt(iterate(MATRIX[0], 2 * N, NO_UPDATES, 1.7 * _i).error, 1e-4);
 }
-END_TEST
 
 /* If there are more steps than room for corrections, the corrections are discarded. The iteration
  * still converges. */
-START_TEST(iteration_converges_if_corrections_are_discarded) {
+TEST(iteration_converges_if_corrections_are_discarded) {
   ck_assert_double_lt(iterate(MATRIX[0], 3 * PO_SECANT_DEPTH, UPDATES, 0.0).error, 1e-13);
 }
-END_TEST
 
 /* The matrix has the eigenvalue `weak`, for which the unit matrix has 1. Corrections of linear
  * equations may lengthen a step by a large factor, or reverse it, and state the sign of the
  * determinant. Where the equations are not linear, such corrections are left out. */
-START_TEST(eigenvalue_that_the_inverse_misses_is_found) {
+LOOP_TEST(eigenvalue_that_the_inverse_misses_is_found, 0, 2) {
   static const double Q[N] = {0.1, -0.7, 0.5, 0.5};
   const double weak = _i ? -0.02 : 0.02;
   double matrix[N][N];
@@ -86,15 +84,4 @@ START_TEST(eigenvalue_that_the_inverse_misses_is_found) {
   ck_assert_int_eq(linear.sign, _i ? -1 : 1);
   ck_assert_double_gt(other.error, 0.1);
   ck_assert_int_eq(other.sign, 1);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, broyden_solves_a_linear_system_in_finitely_many_steps, 0, 3);
-  tcase_add_test(tests, iteration_converges_if_corrections_are_discarded);
-  tcase_add_loop_test(tests, eigenvalue_that_the_inverse_misses_is_found, 0, 2);
-}
-
-int main(void) {
-  return run_case("secant", add);
 }

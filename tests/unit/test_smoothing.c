@@ -46,7 +46,7 @@ static double value_of(const po_smoothing *s, double x) {
                           x - s->knot[k], s->knot[k + 1] - s->knot[k]);
 }
 
-START_TEST(parabolas_stay) {
+LOOP_TEST(parabolas_stay, 0, 4) {
   static const size_t POINTS[] = {16, 23, 400, MOST};
   fill(POINTS[_i], parabola, 0.0);
   po_smoothing s;
@@ -60,11 +60,10 @@ START_TEST(parabolas_stay) {
   ck_assert_double_lt(s.greatest, 1e-7);
   po_smoothing_free(&s);
 }
-END_TEST
 
 /* The estimated deviation is right within four times its own, 1/sqrt(2 points), and the spline is
  * much nearer to the curve than the points. */
-START_TEST(noise_goes) {
+LOOP_TEST(noise_goes, 0, 6) {
   static const double NOISE[] = {1e-3, 0.03, 0.5};
   const double noise = NOISE[_i % 3];
   const bool known = _i >= 3;
@@ -83,7 +82,6 @@ START_TEST(noise_goes) {
   ck_assert_double_lt(s.parameters, 0.05 * MOST);
   po_smoothing_free(&s);
 }
-END_TEST
 
 /* The value at x, as weights of values and slopes at the knots. */
 static void weigh(const po_smoothing *s, double x, double *by_value, double *by_slope) {
@@ -99,7 +97,7 @@ static void weigh(const po_smoothing *s, double x, double *by_value, double *by_
 
 /* The deviation of the value at a place over 2,000 draws is the stated one, within four times the
  * 1.6 % by which such a number scatters. */
-START_TEST(deviation_is_that_of_draws) {
+LOOP_TEST(deviation_is_that_of_draws, 0, 4) {
   enum { DRAWS = 2000, POINTS = 160 };
   static const double AT[] = {0.0, 3.1, 11.7, 29.4};
   const double x = AT[_i];
@@ -127,15 +125,4 @@ START_TEST(deviation_is_that_of_draws) {
   const double deviation = sqrt((squares - sum * sum / DRAWS) / (DRAWS - 1));
   ck_assert_double_eq_tol(deviation, stated, 4.0 * stated / sqrt(2.0 * DRAWS));
   ck_assert_double_eq_tol(shift, stated, 1e-9 * stated);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, parabolas_stay, 0, 4);
-  tcase_add_loop_test(tests, noise_goes, 0, 6);
-  tcase_add_loop_test(tests, deviation_is_that_of_draws, 0, 4);
-}
-
-int main(void) {
-  return run_case("smoothing", add);
 }

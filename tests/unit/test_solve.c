@@ -11,7 +11,7 @@
 #include "run.h"
 
 /* Values of an unrelated ring solver, each +- 3e-5. */
-START_TEST(smooth_sphere_against_another_code) {
+LOOP_TEST(smooth_sphere_against_another_code, 0, 3) {
   static const double KNOWN[][3] = {
       {1.0, 1.67067, -0.8734}, {2.0, 1.5836, -1.6581}, {3.0, 1.55104, -2.4263}};
   po_request request = request_of(KNOWN[_i][0], 0.0, 0.0, INFINITY);
@@ -26,9 +26,8 @@ START_TEST(smooth_sphere_against_another_code) {
                           1e-4 + 8e-4 * KNOWN[_i][0] * KNOWN[_i][0]);
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(curve_contains_its_special_points_in_order) {
+TEST(curve_contains_its_special_points_in_order) {
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.want = PO_WANT_CURVE;
   request.approach_start = -6.5;
@@ -48,11 +47,10 @@ START_TEST(curve_contains_its_special_points_in_order) {
   ck_assert_int_eq(o.folds[0].unstable_modes, 1);
   po_result_clear(&o);
 }
-END_TEST
 
 /* A curve does not get more points from one tolerance to the next without end: it is drawn with an
  * error of 1e-8, as at a tolerance of 1e-7. */
-START_TEST(curve_of_a_small_tolerance_has_no_more_points) {
+TEST(curve_of_a_small_tolerance_has_no_more_points) {
   static const double TOLERANCES[] = {1e-7, 1e-9};
   size_t points[2];
   for (int k = 0; k < 2; ++k) {
@@ -66,7 +64,6 @@ START_TEST(curve_of_a_small_tolerance_has_no_more_points) {
   }
   ck_assert_uint_le(points[1], points[0] + points[0] / 4);
 }
-END_TEST
 
 /* The load where a curve first reaches an approach, from the cubic between two of its points. */
 static double load_where(const po_result *o, double approach) {
@@ -84,7 +81,7 @@ static double load_where(const po_result *o, double approach) {
  * trace with other steps. On coarse triangles the steps are longer, so the interpolation is less
  * accurate; and equilibria are solved to 1e-8 there, which is also how closely a given approach is
  * met. */
-START_TEST(interpolated_curve_agrees_with_separate_equilibria) {
+LOOP_TEST(interpolated_curve_agrees_with_separate_equilibria, 0, 3) {
   static const double APPROACH[] = {-3.85, -2.385, 0.71, 4.1};
   static const double ERROR[] = {1e-7, 1e-7, 2e-5};
   static const double MET[] = {1e-9, 1e-9, 1e-7};
@@ -111,10 +108,9 @@ START_TEST(interpolated_curve_agrees_with_separate_equilibria) {
   }
   po_result_clear(&curve);
 }
-END_TEST
 
 /* The derivative of the approach vanishes at a fold, that of the load at an extremum. */
-START_TEST(curve_turns_at_its_special_points) {
+TEST(curve_turns_at_its_special_points) {
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.want = PO_WANT_CURVE;
   po_result o;
@@ -135,7 +131,6 @@ START_TEST(curve_turns_at_its_special_points) {
   ck_assert_uint_eq(extrema, o.extremum_count);
   po_result_clear(&o);
 }
-END_TEST
 
 /* W/(pi w R) = 2/(R mu) integral of P r dr, by the trapezoidal rule. */
 static double load_of_profile(const po_scene *scene, const po_profile_point *profile,
@@ -162,7 +157,7 @@ static void note_load(void *data, size_t number, const po_profile_point *profile
 }
 
 /* At the pull-off, at a given approach, and at every point of the curve. */
-START_TEST(profile_is_an_equilibrium) {
+TEST(profile_is_an_equilibrium) {
   po_request request = request_of(1.3, 0.7, 23.85, 100.0);
   request.want = PO_WANT_PROFILE;
   po_result o;
@@ -190,9 +185,8 @@ START_TEST(profile_is_an_equilibrium) {
   ck_assert_uint_eq(shown.count, o.curve_count);
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(rigid_scene_is_solved_without_a_surface) {
+TEST(rigid_scene_is_solved_without_a_surface) {
   po_request request = request_of(0.0, 1.0, 20.0, INFINITY); /* alpha = 0.25 */
   po_result o;
   ck_assert_int_eq(po_solve(&request, &o), PO_OK);
@@ -207,9 +201,8 @@ START_TEST(rigid_scene_is_solved_without_a_surface) {
   ck_assert_double_eq_tol(o.pull_off.force, 1.992148, 1e-6);
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(small_tabor_goes_to_the_rigid_limit) { /* a scene with mu = 1e-4 is solved as elastic */
+TEST(small_tabor_goes_to_the_rigid_limit) { /* a scene with mu = 1e-4 is solved as elastic */
   po_request request = request_of(1e-4, 1.0, 20.0, INFINITY);
   request.mesh.nodes = 801;
   po_result o;
@@ -218,14 +211,13 @@ START_TEST(small_tabor_goes_to_the_rigid_limit) { /* a scene with mu = 1e-4 is s
   ck_assert_double_eq_tol(o.pull_off.force, 0.7410559, 3e-4);
   po_result_clear(&o);
 }
-END_TEST
 
 /* At R = 100 the tail beyond r = R contributes 1.0e-3 to the load. */
 /* With lengths in units of the range 1/a, a Morse law of steepness a at mu is that of steepness 1
  * at mu a. For a soft one the tension is greatest at a gap of ln 2/a, here 14 eps, and the pull-off
  * is in approach far outside that of the law of the paper; its feedback is small at every gap, so
  * that a trace could begin behind its minimum. */
-START_TEST(trace_begins_outside_a_law_of_long_range) {
+TEST(trace_begins_outside_a_law_of_long_range) {
   double force[2], bound = 0.0;
   for (int k = 0; k < 2; ++k) {
     po_request request = request_of(k ? 0.2 : 4.0, 0.0, 0.0, 100.0);
@@ -241,9 +233,8 @@ START_TEST(trace_begins_outside_a_law_of_long_range) {
   }
   ck_assert_double_le(fabs(force[0] - force[1]), bound);
 }
-END_TEST
 
-START_TEST(unbounded_and_bounded_surfaces_differ_by_the_tail) {
+TEST(unbounded_and_bounded_surfaces_differ_by_the_tail) {
   po_request request = request_of(1.0, 0.0, 0.0, 100.0);
   po_result cut, whole;
   ck_assert_int_eq(po_solve(&request, &cut), PO_OK);
@@ -253,10 +244,9 @@ START_TEST(unbounded_and_bounded_surfaces_differ_by_the_tail) {
   po_result_clear(&cut);
   po_result_clear(&whole);
 }
-END_TEST
 
 /* A cleared result is the same as one before any solve. It may be cleared again. */
-START_TEST(cleared_result_is_empty) {
+TEST(cleared_result_is_empty) {
   po_request request = request_of(0.0, 0.0, 0.0, INFINITY);
   request.want = PO_WANT_CURVE | PO_WANT_PROFILE;
   request.mesh.nodes = 41;
@@ -274,9 +264,8 @@ START_TEST(cleared_result_is_empty) {
     ck_assert_uint_eq(o.work.points, empty.work.points);
   }
 }
-END_TEST
 
-START_TEST(bad_requests_are_refused) {
+TEST(bad_requests_are_refused) {
   po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
   po_result o;
   request.mesh.nodes = 3;
@@ -289,11 +278,10 @@ START_TEST(bad_requests_are_refused) {
   request.scene.tabor = NAN;
   ck_assert_int_eq(po_solve(&request, &o), PO_BAD_INPUT);
 }
-END_TEST
 
 /* The trace meets the preload exactly, whether or not a profile is wanted at another approach. An
  * earlier version did not, and the load was wrong by 4e-8. */
-START_TEST(a_profile_does_not_move_the_preload) {
+TEST(a_profile_does_not_move_the_preload) {
   po_request request = po_request_default();
   request.scene.tabor = 3.0;
   request.want = PO_WANT_HYSTERESIS;
@@ -309,13 +297,12 @@ START_TEST(a_profile_does_not_move_the_preload) {
   po_result_clear(&alone);
   po_result_clear(&beside);
 }
-END_TEST
 
 /* The corner of a truncated sphere does not move with the contact edge: 147 points; moved, it
  * limits the steps, and the trace takes 551. The mesh ends a panel at the corner, but not on a cut
  * surface. The case `general` compares such scenes with the independent solver. */
 /* The part of the contact radius without a groove at pull-off, beside the annuli of the profile. */
-START_TEST(disc_without_a_groove) {
+TEST(disc_without_a_groove) {
   po_request request = request_of(4.0, 3.0, 10.0, 100.0);
   request.mesh.scheme = PO_PANEL;
   request.mesh.tolerance = 1e-4;
@@ -328,9 +315,8 @@ START_TEST(disc_without_a_groove) {
                           1e-9);
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(corner_of_a_profile_does_not_limit_the_steps) {
+LOOP_TEST(corner_of_a_profile_does_not_limit_the_steps, 0, 2) {
   po_request request = po_request_default();
   request.scene.radius = 1.0;
   request.scene.outer_radius = _i ? 30.0 : INFINITY;
@@ -342,27 +328,4 @@ START_TEST(corner_of_a_profile_does_not_limit_the_steps) {
   ck_assert_uint_eq(o.fold_count, 4);
   ck_assert_uint_lt(o.work.points, 250);
   po_result_clear(&o);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
-  tcase_add_test(tests, curve_contains_its_special_points_in_order);
-  tcase_add_test(tests, curve_of_a_small_tolerance_has_no_more_points);
-  tcase_add_loop_test(tests, interpolated_curve_agrees_with_separate_equilibria, 0, 3);
-  tcase_add_test(tests, curve_turns_at_its_special_points);
-  tcase_add_test(tests, profile_is_an_equilibrium);
-  tcase_add_test(tests, rigid_scene_is_solved_without_a_surface);
-  tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);
-  tcase_add_test(tests, trace_begins_outside_a_law_of_long_range);
-  tcase_add_test(tests, unbounded_and_bounded_surfaces_differ_by_the_tail);
-  tcase_add_test(tests, a_profile_does_not_move_the_preload);
-  tcase_add_test(tests, disc_without_a_groove);
-  tcase_add_loop_test(tests, corner_of_a_profile_does_not_limit_the_steps, 0, 2);
-  tcase_add_test(tests, cleared_result_is_empty);
-  tcase_add_test(tests, bad_requests_are_refused);
-}
-
-int main(void) {
-  return run_case("solve", add);
 }

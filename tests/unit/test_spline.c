@@ -12,7 +12,7 @@ static double cubic(double x) {
   return 0.7 - 1.3 * x + 0.4 * x * x - 0.11 * x * x * x;
 }
 
-START_TEST(cubics_are_met_to_rounding) {
+TEST(cubics_are_met_to_rounding) {
   double y[COUNT], slope[COUNT];
   for (int k = 0; k < COUNT; ++k)
     y[k] = cubic(X[k]);
@@ -20,10 +20,9 @@ START_TEST(cubics_are_met_to_rounding) {
   for (int k = 0; k < COUNT; ++k)
     ck_assert_double_eq_tol(slope[k], -1.3 + 0.8 * X[k] - 0.33 * X[k] * X[k], 1e-13);
 }
-END_TEST
 
 /* The error falls as the fourth power of the distance of the points. */
-START_TEST(error_is_of_fourth_order) {
+TEST(error_is_of_fourth_order) {
   double error[2] = {0.0, 0.0};
   for (int refine = 0; refine < 2; ++refine) {
     enum { MOST = 41 };
@@ -43,11 +42,10 @@ START_TEST(error_is_of_fourth_order) {
   ck_assert_double_gt(error[0] / error[1], 12.0);
   ck_assert_double_lt(error[0] / error[1], 40.0);
 }
-END_TEST
 
 /* The spline of a step overshoots; the limited one does not, and keeps the slopes of a smooth
  * rise. */
-START_TEST(limited_splines_rise_with_their_points) {
+TEST(limited_splines_rise_with_their_points) {
   static const double STEP[COUNT] = {0.0, 0.01, 0.02, 0.9, 1.0, 1.01, 1.02};
   double slope[COUNT], limited[COUNT];
   int falls = 0;
@@ -69,15 +67,4 @@ START_TEST(limited_splines_rise_with_their_points) {
   po_spline_limit(COUNT, X, parabola, limited);
   for (int k = 0; k < COUNT; ++k)
     ck_assert_double_eq_tol(limited[k], 2.0 * X[k], 1e-13);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, cubics_are_met_to_rounding);
-  tcase_add_test(tests, error_is_of_fourth_order);
-  tcase_add_test(tests, limited_splines_rise_with_their_points);
-}
-
-int main(void) {
-  return run_case("spline", add);
 }

@@ -52,7 +52,7 @@ static void clear(po_staircase staircase) {
 
 /* The load falls to a minimum of -1 at approach 1, rises, falls to -2 at 3 and rises again. There
  * is no jump. For preloads between the steps the greatest tension is that at the reversal. */
-START_TEST(minima_on_the_loading_path_are_steps) {
+TEST(minima_on_the_loading_path_are_steps) {
   static const synthetic CURVE[] = {{0, 0, 0}, {1, -1, 0}, {2, -0.5, 0}, {3, -2, 0}, {4, 1, 0}};
   po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 5, point);
@@ -74,12 +74,11 @@ START_TEST(minima_on_the_loading_path_are_steps) {
   ck_assert_ptr_eq(po_staircase_greatest(&s), &s.step[1]);
   clear(s);
 }
-END_TEST
 
 /* The jump at the fold at approach 2 leads to a stable stretch that reaches back to 0.5 and has a
  * minimum of -3. The jump at 5 leads to a stretch with less tension in unloading. So the pull-off
  * force decreases with the preload. */
-START_TEST(a_harder_preload_may_give_a_smaller_force) {
+TEST(a_harder_preload_may_give_a_smaller_force) {
   static const synthetic CURVE[] = {{-2, 0, 0}, {2, -1, 1},    {0.5, -2, 0}, {1, -3, 0},
                                     {5, 2, 1},  {-1, -0.5, 0}, {1.5, 0, 0},  {9, 9, 0}};
   po_curve_point point[MOST];
@@ -104,12 +103,11 @@ START_TEST(a_harder_preload_may_give_a_smaller_force) {
   }
   clear(s);
 }
-END_TEST
 
 /* A point next to a minimum may lie below it by the discretisation error. A test measures the
  * minimum. An earlier version gave one of 1,000 random scenes a pull-off that no preload produces.
  */
-START_TEST(a_step_begins_at_the_minimum_itself) {
+TEST(a_step_begins_at_the_minimum_itself) {
   static const synthetic CURVE[] = {
       {0, 0, 0}, {1, -1.00001, 0}, {1.1, -1, 0}, {1.2, -1.00001, 0}, {4, 1, 0}};
   po_curve_point point[MOST];
@@ -125,9 +123,8 @@ START_TEST(a_step_begins_at_the_minimum_itself) {
   ck_assert_double_eq(s.step[0].pull_off.position, 2.0);
   clear(s);
 }
-END_TEST
 
-START_TEST(a_curve_without_minima_has_no_steps) {
+TEST(a_curve_without_minima_has_no_steps) {
   static const synthetic CURVE[] = {{0, -0.1, 0}, {1, -1, 0}, {2, -2, 0}};
   po_curve_point point[MOST];
   const po_path path = path_of(CURVE, 3, point), none = {point, 0};
@@ -139,7 +136,6 @@ START_TEST(a_curve_without_minima_has_no_steps) {
   s = staircase_of(&none, PO_AT_LOAD);
   ck_assert_uint_eq(s.count, 0);
 }
-END_TEST
 
 /* A bound of the load that is never reached, so that a search goes on to the hardest preload, and a
  * bound that is always reached. */
@@ -173,7 +169,7 @@ static po_path_state pulled(po_request request, double preload) {
   return pull_off;
 }
 
-START_TEST(steps_agree_with_separate_loops) {
+TABLE_TEST(steps_agree_with_separate_loops, SCENES) {
   const double near = 1e-3;
   po_request request = po_request_default();
   request.scene = SCENES[_i];
@@ -201,11 +197,10 @@ START_TEST(steps_agree_with_separate_loops) {
   }
   po_result_clear(&o);
 }
-END_TEST
 
 /* A scene whose pull-off depends strongly on the preload. The expected values are from separate
  * traces. */
-START_TEST(steps_of_a_scene_are_accurate) {
+TEST(steps_of_a_scene_are_accurate) {
   po_request request = po_request_default();
   request.scene = SCENES[0];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
@@ -230,11 +225,10 @@ START_TEST(steps_of_a_scene_are_accurate) {
   ck_assert_double_eq(o.pull_off.pressed.approach, s->step[2].preload.approach);
   po_result_clear(&o);
 }
-END_TEST
 
 /* The default preload is the load pi w R. A search beyond it does not change the pull-off after it.
  */
-START_TEST(a_search_does_not_change_the_pull_off) {
+LOOP_TEST(a_search_does_not_change_the_pull_off, 0, 3) {
   static const po_search SEARCH[] = {PO_SEARCH_NONE, PO_SEARCH_SOME, PO_SEARCH_ALL};
   po_request request = po_request_default();
   request.scene = SCENES[0];
@@ -256,11 +250,10 @@ START_TEST(a_search_does_not_change_the_pull_off) {
   }
   po_result_clear(&o);
 }
-END_TEST
 
 /* With an unlimited preload the pull-off is the greatest of all, and the trace ends when the bound
  * is reached. */
-START_TEST(an_unlimited_preload_gives_the_greatest_pull_off) {
+TEST(an_unlimited_preload_gives_the_greatest_pull_off) {
   po_request request = po_request_default();
   request.scene = SCENES[1];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
@@ -279,12 +272,11 @@ START_TEST(an_unlimited_preload_gives_the_greatest_pull_off) {
   ck_assert_double_lt(o.ended.load, 3.0); /* the bound is reached early */
   po_result_clear(&o);
 }
-END_TEST
 
 /* A small bounded surface. When all of it is in contact, no harder preload changes the pull-off,
  * whatever the bound says. An earlier version pressed this one further until the nodes were
  * exhausted, and failed. */
-START_TEST(a_bounded_surface_in_full_contact_is_complete) {
+LOOP_TEST(a_bounded_surface_in_full_contact_is_complete, 0, 2) {
   static const po_search SEARCH[] = {PO_SEARCH_SOME, PO_SEARCH_ALL};
   po_request request = po_request_default();
   request.scene = (po_scene){4.84366, 0.152139, 21.7469, 33.9995, 9.58721};
@@ -297,21 +289,4 @@ START_TEST(a_bounded_surface_in_full_contact_is_complete) {
   ck_assert(o.pull_off_any.complete);
   ck_assert_double_eq_tol(o.pull_off.force, 0.709603, 1e-5);
   po_result_clear(&o);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, minima_on_the_loading_path_are_steps);
-  tcase_add_test(tests, a_harder_preload_may_give_a_smaller_force);
-  tcase_add_test(tests, a_step_begins_at_the_minimum_itself);
-  tcase_add_test(tests, a_curve_without_minima_has_no_steps);
-  tcase_add_loop_test(tests, steps_agree_with_separate_loops, 0, sizeof SCENES / sizeof *SCENES);
-  tcase_add_test(tests, steps_of_a_scene_are_accurate);
-  tcase_add_loop_test(tests, a_search_does_not_change_the_pull_off, 0, 3);
-  tcase_add_test(tests, an_unlimited_preload_gives_the_greatest_pull_off);
-  tcase_add_loop_test(tests, a_bounded_surface_in_full_contact_is_complete, 0, 2);
-}
-
-int main(void) {
-  return run_case("staircase", add);
 }

@@ -11,7 +11,7 @@
 
 /* Beyond the point where a trace ends by itself there is no greater pull-off. The same scene is
  * traced much further. */
-START_TEST(no_greater_pull_off_beyond_the_end_of_a_trace) {
+LOOP_TEST(no_greater_pull_off_beyond_the_end_of_a_trace, 0, 6) {
   static const double SCENES[][3] = {{2.385, 0.0, 0.0}, {3.0, 1.0, 20.0}, {1.0, 3.0, 12.0},
                                      {0.3, 6.0, 25.0},  {2.0, 0.1, 30.0}, {3.0, 0.5, 7.0}};
   po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 90.0);
@@ -26,11 +26,10 @@ START_TEST(no_greater_pull_off_beyond_the_end_of_a_trace) {
   po_result_clear(&near);
   po_result_clear(&far);
 }
-END_TEST
 
 /* The first minimum at the third wave is compressive. When the trough inside has closed, the
  * contact pulls off at this wave nevertheless. So the preload decides which minimum is measured. */
-START_TEST(a_closed_trough_gives_a_greater_pull_off) {
+TEST(a_closed_trough_gives_a_greater_pull_off) {
   po_request request = request_of(4.1, 4.0, 20.0, 100.0);
   request.mesh.scheme = PO_PANEL;
   request.mesh.tolerance = 1e-4;
@@ -47,11 +46,10 @@ START_TEST(a_closed_trough_gives_a_greater_pull_off) {
   ck_assert_double_lt(force[0], 0.9 * force[2]);
   ck_assert_double_gt(force[2], 6.8);
 }
-END_TEST
 
 /* The trace ends at the first state of the loading path that carries the preload. States that
  * loading jumps past do not count. */
-START_TEST(trace_ends_at_the_preload) {
+LOOP_TEST(trace_ends_at_the_preload, 0, 4) {
   static const double SCENES[][3] = {
       {4.0, 0.4, 10.0}, {3.0, 0.5, 7.0}, {1.5, 1.0, 10.0}, {3.0, 1.0, 20.0}};
   po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], INFINITY);
@@ -75,11 +73,10 @@ START_TEST(trace_ends_at_the_preload) {
   ck_assert_int_eq(o.ended.cause, PO_END_PRELOAD);
   po_result_clear(&o);
 }
-END_TEST
 
 /* A preload between a step of the trace and the next fold. The branch passes this approach twice
  * within one step. An earlier version missed both, and took the pull-off from beyond the fold. */
-START_TEST(a_preload_just_before_a_fold_is_reached) {
+LOOP_TEST(a_preload_just_before_a_fold_is_reached, 0, 4) {
   static const double PRELOADS[] = {4.26, 4.263, 4.2636, 4.3};
   po_request request = request_of(3.0, 8.0, 30.0, INFINITY);
   request.scene.radius = 60.0;
@@ -90,12 +87,11 @@ START_TEST(a_preload_just_before_a_fold_is_reached) {
   ck_assert_double_eq_tol(o.pull_off.force, _i < 3 ? 0.1199725 : 2.4783687, 1e-6);
   po_result_clear(&o);
 }
-END_TEST
 
 /* An end at a smaller approach than the usual start of a trace. An earlier version never reached
  * it.
  */
-START_TEST(an_end_at_a_small_approach_is_reached) {
+LOOP_TEST(an_end_at_a_small_approach_is_reached, 0, 2) {
   static const double TABOR[] = {1.0, 0.0}; /* elastic, rigid */
   po_request request = request_of(TABOR[_i], 0.0, 0.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
@@ -111,10 +107,9 @@ START_TEST(an_end_at_a_small_approach_is_reached) {
   ck_assert_double_eq_tol(o.ended.approach, -20.0, 1e-9);
   po_result_clear(&o);
 }
-END_TEST
 
 /* No harder preload gives a smooth sphere a greater pull-off force, and the result says so. */
-START_TEST(a_smooth_sphere_is_complete_under_compression) {
+LOOP_TEST(a_smooth_sphere_is_complete_under_compression, 0, 2) {
   static const double TABOR[] = {1.0, 0.0}; /* elastic, rigid */
   po_request request = request_of(TABOR[_i], 0.0, 0.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
@@ -130,10 +125,9 @@ START_TEST(a_smooth_sphere_is_complete_under_compression) {
   ck_assert(!o.pull_off_any.complete);
   po_result_clear(&o);
 }
-END_TEST
 
 /* If a trace ends before its preload, the pull-off of the preload is unknown. */
-START_TEST(a_preload_beyond_the_end_is_refused) {
+TEST(a_preload_beyond_the_end_is_refused) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.approach_end = 0.5;
@@ -145,10 +139,9 @@ START_TEST(a_preload_beyond_the_end_is_refused) {
   ck_assert_ptr_nonnull(strstr(o.reason, "before the load 7 was reached"));
   po_result_clear(&o);
 }
-END_TEST
 
 /* The preload is so small that the bodies do not come into contact, so there is no pull-off. */
-START_TEST(a_preload_without_contact_is_reported) {
+TEST(a_preload_without_contact_is_reported) {
   po_request request = request_of(2.385, 1.0, 20.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = -9.0;
@@ -157,10 +150,9 @@ START_TEST(a_preload_without_contact_is_reported) {
   ck_assert_ptr_nonnull(strstr(o.reason, "the load has no minimum up to the preload, approach -9"));
   po_result_clear(&o);
 }
-END_TEST
 
 /* The time limit is checked before the first point. The reason states it. */
-START_TEST(time_limit_ends_a_solve) {
+LOOP_TEST(time_limit_ends_a_solve, 0, 6) {
   static const po_scheme SCHEMES[] = {PO_RING, PO_TRIANGLE, PO_PANEL};
   static const double TABOR[] = {2.385, 0.0}; /* elastic, rigid */
   po_request request = request_of(TABOR[_i / 3], 0.0, 0.0, INFINITY);
@@ -173,11 +165,10 @@ START_TEST(time_limit_ends_a_solve) {
       strstr(o.reason, "after 1e-09 s of processor time the trace has no point yet"));
   po_result_clear(&o);
 }
-END_TEST
 
 /* If the time ends during a search beyond the preload, the solve succeeds, because the pull-off
  * after the preload is known. */
-START_TEST(time_limit_ends_a_search_without_failure) {
+TEST(time_limit_ends_a_search_without_failure) {
   po_request request = request_of(4.0, 3.0, 10.0, 100.0);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = -1.0;
@@ -204,10 +195,9 @@ START_TEST(time_limit_ends_a_search_without_failure) {
     }
   }
 }
-END_TEST
 
 /* The search after a short trace may take more effort than the trace, and is complete. */
-START_TEST(a_search_after_a_short_trace_is_complete) {
+TEST(a_search_after_a_short_trace_is_complete) {
   po_request request = request_of(2.0, 1.0, 10.0, 40.0);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = -1.0;
@@ -217,9 +207,8 @@ START_TEST(a_search_after_a_short_trace_is_complete) {
   ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(time_limit_that_is_not_reached_changes_nothing) {
+TEST(time_limit_that_is_not_reached_changes_nothing) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
   po_result free_of, limited;
@@ -231,19 +220,17 @@ START_TEST(time_limit_that_is_not_reached_changes_nothing) {
   po_result_clear(&free_of);
   po_result_clear(&limited);
 }
-END_TEST
 
-START_TEST(time_limit_is_a_positive_number) {
+LOOP_TEST(time_limit_is_a_positive_number, 0, 3) {
   static const double WRONG[] = {0.0, -2.385, INFINITY};
   po_request request = po_request_default();
   request.time_limit = WRONG[_i];
   ck_assert_int_eq(po_request_check(&request), PO_BAD_INPUT);
   ck_assert_ptr_nonnull(strstr(po_message(), "time_limit is "));
 }
-END_TEST
 
 /* The diagnostics after the trace may use only the time that the trace left. */
-START_TEST(time_limit_bounds_the_diagnostics) {
+TEST(time_limit_bounds_the_diagnostics) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
   po_result o;
@@ -262,9 +249,8 @@ START_TEST(time_limit_bounds_the_diagnostics) {
   ck_assert_uint_eq(o.diagnostics.moved.failed, 1);
   po_result_clear(&o);
 }
-END_TEST
 
-START_TEST(an_interruption_ends_a_solve) {
+TEST(an_interruption_ends_a_solve) {
   volatile sig_atomic_t stop = 1;
   po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
   request.stop = &stop;
@@ -273,13 +259,12 @@ START_TEST(an_interruption_ends_a_solve) {
   ck_assert_ptr_nonnull(strstr(o.reason, "interrupted"));
   po_result_clear(&o);
 }
-END_TEST
 
 /* The contact of this sphere reaches the edge of the surface before the load has its deepest
  * minimum. An earlier version ended at 0.9 of the radius without a message, and stated a pull-off
  * of 1.36395 with an error of 7e-8. The problem is well posed until the whole surface is in
  * contact. Triangles and panels agree. */
-START_TEST(a_bounded_surface_is_traced_until_full_contact) {
+TEST(a_bounded_surface_is_traced_until_full_contact) {
   po_request request = request_of(4.0, 0.4, 10.0, 30.0);
   po_result triangles, panels;
   request.mesh.nodes = 401;
@@ -300,10 +285,9 @@ START_TEST(a_bounded_surface_is_traced_until_full_contact) {
   po_result_clear(&triangles);
   po_result_clear(&panels);
 }
-END_TEST
 
 /* Every result states where its trace ended, and the cause. */
-START_TEST(the_end_of_a_trace_has_a_cause) {
+LOOP_TEST(the_end_of_a_trace_has_a_cause, 0, 6) {
   static const struct {
     double tabor, amplitude, end;
     po_end_cause cause;
@@ -324,7 +308,6 @@ START_TEST(the_end_of_a_trace_has_a_cause) {
     ck_assert_double_ge(o.ended.load, 1.0);
   po_result_clear(&o);
 }
-END_TEST
 
 /* The contact radius beyond which nothing holds more than 1; lesser forces are held at ten times
  * that. */
@@ -337,7 +320,7 @@ static double farthest(const po_scene *scene, double load) {
 
 /* A search is complete where no minimum of more than 1 can follow. If that is a little beyond the
  * usual domain, the domain is larger; if far beyond, most searches end before. */
-START_TEST(the_domain_of_a_search_reaches_to_its_end) {
+LOOP_TEST(the_domain_of_a_search_reaches_to_its_end, 0, 3) {
   static const double PARTS[] = {0.5, 1.2, 2.0}; /* of the usual domain */
   const po_theories theories = {.bound = farthest};
   po_request request = request_of(1.0, 1.0, 10.0, INFINITY);
@@ -350,30 +333,4 @@ START_TEST(the_domain_of_a_search_reaches_to_its_end) {
     ck_assert(!po_solve_is_cut_off(&request.scene, farthest_of_1, core));
   else
     ck_assert_double_eq(core, usual);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, no_greater_pull_off_beyond_the_end_of_a_trace, 0, 6);
-  tcase_add_test(tests, a_closed_trough_gives_a_greater_pull_off);
-  tcase_add_loop_test(tests, trace_ends_at_the_preload, 0, 4);
-  tcase_add_test(tests, a_preload_without_contact_is_reported);
-  tcase_add_loop_test(tests, a_preload_just_before_a_fold_is_reached, 0, 4);
-  tcase_add_loop_test(tests, an_end_at_a_small_approach_is_reached, 0, 2);
-  tcase_add_loop_test(tests, a_smooth_sphere_is_complete_under_compression, 0, 2);
-  tcase_add_test(tests, a_preload_beyond_the_end_is_refused);
-  tcase_add_test(tests, a_bounded_surface_is_traced_until_full_contact);
-  tcase_add_loop_test(tests, the_end_of_a_trace_has_a_cause, 0, 6);
-  tcase_add_loop_test(tests, the_domain_of_a_search_reaches_to_its_end, 0, 3);
-  tcase_add_test(tests, an_interruption_ends_a_solve);
-  tcase_add_loop_test(tests, time_limit_ends_a_solve, 0, 6);
-  tcase_add_test(tests, time_limit_ends_a_search_without_failure);
-  tcase_add_test(tests, a_search_after_a_short_trace_is_complete);
-  tcase_add_test(tests, time_limit_that_is_not_reached_changes_nothing);
-  tcase_add_test(tests, time_limit_bounds_the_diagnostics);
-  tcase_add_loop_test(tests, time_limit_is_a_positive_number, 0, 3);
-}
-
-int main(void) {
-  return run_case("stopping", add);
 }

@@ -34,7 +34,7 @@ static const double TABLE[][3] = {
 };
 enum { TABLE_COUNT = sizeof TABLE / sizeof *TABLE };
 
-START_TEST(struve_agrees_with_mpmath) {
+LOOP_TEST(struve_agrees_with_mpmath, 0, TABLE_COUNT) {
   const double x = TABLE[_i][0];
   for (int n = 0; n < 2; ++n) {
     const double expected = TABLE[_i][n + 1];
@@ -43,23 +43,20 @@ START_TEST(struve_agrees_with_mpmath) {
       ck_assert_double_eq_tol(po_struve(n, x), expected, 1e-15 * fabs(expected));
   }
 }
-END_TEST
 
 /* Abramowitz and Stegun, table 12.1; MacLeod, TOMS 757. */
-START_TEST(struve_agrees_with_published_tables) {
+TEST(struve_agrees_with_published_tables) {
   ck_assert_double_eq_tol(po_struve(1, 2.0), 0.6467637282835622, 1e-15);
   ck_assert_double_eq_tol(po_struve(1, 9.0), 0.7485424374510771033, 1e-15);
 }
-END_TEST
 
-START_TEST(struve_series_and_integral_agree) {
+TEST(struve_series_and_integral_agree) {
   const double below = 9.0, above = nextafter(9.0, 10.0);
   for (int n = 0; n < 2; ++n)
     ck_assert_double_eq_tol(po_struve(n, below), po_struve(n, above), 5e-15);
 }
-END_TEST
 
-START_TEST(derivative_of_order_zero_is_known) { /* H0' = 2/pi - H1 */
+LOOP_TEST(derivative_of_order_zero_is_known, 0, TABLE_COUNT) { /* H0' = 2/pi - H1 */
   const double x = TABLE[_i][0];
   if (x < 1e-2 || x > 1e3)
     return;
@@ -69,38 +66,22 @@ START_TEST(derivative_of_order_zero_is_known) { /* H0' = 2/pi - H1 */
                        (12.0 * h);
   ck_assert_double_eq_tol(slope, M_2_PI - po_struve(1, x), 1e-14 / h + h * h * h * h);
 }
-END_TEST
 
-START_TEST(outside_the_domain_the_result_is_nan) {
+TEST(outside_the_domain_the_result_is_nan) {
   ck_assert(isnan(po_struve(0, -1e-300)));
   ck_assert(isnan(po_struve(1, NAN)));
   ck_assert(isnan(po_struve(2, 1.0)));
   for (int n = 0; n < 2; ++n)
     ck_assert_double_eq(po_struve(n, 0.0), 0.0);
 }
-END_TEST
 
 static double steep(double x, const void *data) {
   return pow(x, 9.0) - *(const double *)data;
 }
 
-START_TEST(root_is_found) {
+TEST(root_is_found) {
   const double value = 2.385e-40;
   ck_assert_double_eq_tol(po_root(steep, &value, 1e-9, 1e3) / pow(value, 1.0 / 9.0), 1.0, 1e-15);
   ck_assert_double_eq_tol(po_root(steep, &value, 1e3, -2.0) / pow(value, 1.0 / 9.0), 1.0, 1e-15);
   ck_assert(isnan(po_root(steep, &value, 1.0, 2.0)));
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, struve_agrees_with_mpmath, 0, TABLE_COUNT);
-  tcase_add_test(tests, struve_agrees_with_published_tables);
-  tcase_add_test(tests, struve_series_and_integral_agree);
-  tcase_add_loop_test(tests, derivative_of_order_zero_is_known, 0, TABLE_COUNT);
-  tcase_add_test(tests, outside_the_domain_the_result_is_nan);
-  tcase_add_test(tests, root_is_found);
-}
-
-int main(void) {
-  return run_case("struve", add);
 }

@@ -54,7 +54,7 @@ static void call(const po_form *form, const po_scene *scene, double alpha, doubl
 
 /* First each pair of parameters takes all pairs of sizes while the others have ordinary values.
  * Then all four parameters are drawn at random from the sizes. */
-START_TEST(every_form_returns_for_extreme_scenes) {
+LOOP_TEST(every_form_returns_for_extreme_scenes, 0, FORM_COUNT) {
   const po_form *form = po_form_find(FORMS[_i]);
   /* The rigid wavy sphere is an integral, some 10 ms each; the others take microseconds. */
   const int stride = strcmp(form->name, "rigid") == 0 ? 151 : 1;
@@ -83,10 +83,9 @@ START_TEST(every_form_returns_for_extreme_scenes) {
     call(form, &scene, SIZES[drawn[4] % SIZE_COUNT], PLACES[drawn[5] % PLACE_COUNT]);
   }
 }
-END_TEST
 
 /* If all parameters are within a factor of 1e20 of each other, every value is finite. */
-START_TEST(every_form_is_finite_for_moderate_scenes) {
+LOOP_TEST(every_form_is_finite_for_moderate_scenes, 0, FORM_COUNT) {
   const po_form *form = po_form_find(FORMS[_i]);
   static const double USUAL[] = {1e-10, 1e-5, 0.1, 1.0, 31.0, 1e5, 1e10};
   const int stride = strcmp(form->name, "rigid") == 0 ? 31 : 1;
@@ -105,10 +104,9 @@ START_TEST(every_form_is_finite_for_moderate_scenes) {
                     scene.radius);
   }
 }
-END_TEST
 
 /* The mathematical functions that the closed forms use. */
-START_TEST(closed_forms_are_finite_for_extreme_arguments) {
+TEST(closed_forms_are_finite_for_extreme_arguments) {
   limit_time();
   for (int i = 0; i < SIZE_COUNT; ++i) {
     const double x = SIZES[i];
@@ -132,12 +130,11 @@ START_TEST(closed_forms_are_finite_for_extreme_arguments) {
     ck_assert(isnan(po_lennard_jones_traction(x)) == !(x > -1.0));
   }
 }
-END_TEST
 
 /* Contacts with very many waves. The pull-off is found wave by wave up to 1e8 waves, and from the
  * envelope beyond. Both agree with the envelope, and the work is bounded. The approach is that of
  * the nearest trough. */
-START_TEST(guduru_pull_off_with_many_waves_is_the_envelope) {
+TEST(guduru_pull_off_with_many_waves_is_the_envelope) {
   limit_time();
   for (double wavelength = 1e-2; wavelength > 1e-12; wavelength *= 0.37) {
     const po_scene s = {5.0, 1.0, wavelength, 100.0, INFINITY};
@@ -155,7 +152,6 @@ START_TEST(guduru_pull_off_with_many_waves_is_the_envelope) {
     }
   }
 }
-END_TEST
 
 /* H0 and H1 for many waves: no digits are lost by the rounding of 2 pi a/lambda. The values were
  * computed with mpmath and 40 digits for these doubles. */
@@ -172,7 +168,7 @@ static const struct {
     {777.7, 2.385, -0.0046438596636612413784, 0.61970193796199908349},
 };
 
-START_TEST(struve_functions_of_many_waves_keep_their_digits) {
+TEST(struve_functions_of_many_waves_keep_their_digits) {
   for (size_t i = 0; i < sizeof WAVES / sizeof *WAVES; ++i) {
     const double size = 1e-15 * (1.0 + M_2_PI);
     ck_assert_double_eq_tol(
@@ -182,11 +178,10 @@ START_TEST(struve_functions_of_many_waves_keep_their_digits) {
                             size);
   }
 }
-END_TEST
 
 /* -(8/3) (x^3 - x^9) with x = 1/(1 + H), computed with mpmath for these doubles. Near the
  * equilibrium the two terms are nearly equal. */
-START_TEST(traction_near_equilibrium_does_not_cancel) {
+TEST(traction_near_equilibrium_does_not_cancel) {
   ck_assert_double_eq_tol(po_lennard_jones_traction(1e-300) / -1.6e-299, 1.0, 2e-15);
   ck_assert_double_eq_tol(po_lennard_jones_traction(1e-15) / -1.5999999999999897243e-14, 1.0,
                           2e-15);
@@ -198,11 +193,10 @@ START_TEST(traction_near_equilibrium_does_not_cancel) {
   ck_assert_double_eq_tol(po_lennard_jones_traction(100000.0) / -2.6665866682666400004e-15, 1.0,
                           2e-15);
 }
-END_TEST
 
 /* The limits of the rigid wavy sphere: one crest, no waves, and waves so short that only the
  * average of the law over a wave matters. */
-START_TEST(rigid_wavy_sphere_tends_to_its_limits) {
+TEST(rigid_wavy_sphere_tends_to_its_limits) {
   for (double alpha = 1e-3; alpha < 1e3; alpha *= 57.3)
     for (double amplitude = 1e13; amplitude < 1e60; amplitude *= 1e23)
       ck_assert_double_eq_tol(po_wavy_rigid_pull_off(amplitude, alpha).force * 0.5 *
@@ -218,14 +212,13 @@ START_TEST(rigid_wavy_sphere_tends_to_its_limits) {
                               1e-10 * fabs(mean) + 1e-13);
     }
 }
-END_TEST
 
 /* The error handler that the program has set. */
 static void own_handler(const char *reason, const char *file, int line, int error) {
   ck_abort_msg("GSL: %s (%s:%d, %d)", reason, file, line, error);
 }
 
-START_TEST(gsl_error_handler_is_unchanged) {
+TEST(gsl_error_handler_is_unchanged) {
   gsl_set_error_handler(own_handler);
   for (int i = 0; i < FORM_COUNT; ++i) {
     const po_scene scene = {5.0, 1.0, 10.0, 100.0, INFINITY};
@@ -233,20 +226,5 @@ START_TEST(gsl_error_handler_is_unchanged) {
   }
   ck_assert(gsl_set_error_handler(NULL) == own_handler);
 }
-END_TEST
 
 /* Each test is a separate process, with the default error handler of GSL, which aborts. */
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, every_form_returns_for_extreme_scenes, 0, FORM_COUNT);
-  tcase_add_loop_test(tests, every_form_is_finite_for_moderate_scenes, 0, FORM_COUNT);
-  tcase_add_test(tests, closed_forms_are_finite_for_extreme_arguments);
-  tcase_add_test(tests, guduru_pull_off_with_many_waves_is_the_envelope);
-  tcase_add_test(tests, struve_functions_of_many_waves_keep_their_digits);
-  tcase_add_test(tests, traction_near_equilibrium_does_not_cancel);
-  tcase_add_test(tests, rigid_wavy_sphere_tends_to_its_limits);
-  tcase_add_test(tests, gsl_error_handler_is_unchanged);
-}
-
-int main(void) {
-  return run_case("sweep", add);
-}

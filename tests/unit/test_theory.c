@@ -18,7 +18,7 @@ static const po_scene SCENES[] = {{5.0, 10.0, 20.0, 100.0, INFINITY},
                                   {7.7, 0.03, 400.0, 91.0, INFINITY}};
 enum { SCENE_COUNT = sizeof SCENES / sizeof *SCENES };
 
-START_TEST(jkr_agrees_with_known_values) {
+LOOP_TEST(jkr_agrees_with_known_values, 0, SCENE_COUNT) {
   const po_scene *s = &SCENES[_i];
   const po_contact load = po_jkr_pull_off(s), last = po_jkr_last(s);
   ck_assert_double_eq_tol(load.load, -1.5, 1e-14);
@@ -26,10 +26,9 @@ START_TEST(jkr_agrees_with_known_values) {
   ck_assert_double_eq_tol(last.load, -5.0 / 6.0, 1e-14);
   ck_assert_double_eq_tol(last.approach / s->tabor, -1.60877204783, 1e-11);
 }
-END_TEST
 
 /* In the form of the paper, with H2, alpha and beta. */
-START_TEST(guduru_is_eq_5) {
+LOOP_TEST(guduru_is_eq_5, 0, SCENE_COUNT) {
   const po_scene *s = &SCENES[_i];
   const double alpha = po_scene_alpha(s);
   const double beta = pow(s->wavelength, 3.0) / (2.0 * M_PI * pow(s->radius * s->tabor, 1.5));
@@ -48,9 +47,8 @@ START_TEST(guduru_is_eq_5) {
     ck_assert_double_eq_tol(got.approach, approach, 1e-13 * (fabs(approach) + s->amplitude * a));
   }
 }
-END_TEST
 
-START_TEST(guduru_load_rate_agrees_with_finite_differences) {
+LOOP_TEST(guduru_load_rate_agrees_with_finite_differences, 0, SCENE_COUNT) {
   const po_scene *s = &SCENES[_i];
   for (double a = 0.1 * s->wavelength; a < 6.0 * s->wavelength; a *= 1.6) {
     const double h = 1e-4 * fmin(a, s->wavelength);
@@ -59,9 +57,8 @@ START_TEST(guduru_load_rate_agrees_with_finite_differences) {
     ck_assert_double_eq_tol(po_guduru_rate(s, PO_FIXED_LOAD, a), slope, 1e-5 * (size + 1e-3));
   }
 }
-END_TEST
 
-START_TEST(guduru_tends_to_jkr_for_small_amplitudes) {
+LOOP_TEST(guduru_tends_to_jkr_for_small_amplitudes, 0, SCENE_COUNT) {
   po_scene s = SCENES[_i];
   s.amplitude = 1e-11;
   const po_contact wavy = po_guduru_pull_off(&s), smooth = po_jkr_pull_off(&s);
@@ -69,10 +66,9 @@ START_TEST(guduru_tends_to_jkr_for_small_amplitudes) {
   const double a = 0.7 * s.wavelength;
   ck_assert_double_eq_tol(po_guduru_at(&s, a).approach, po_jkr_at(&s, a).approach, 1e-9);
 }
-END_TEST
 
 /* Amplitude 0, with or without a wavelength, gives the JKR values exactly. */
-START_TEST(amplitude_zero_is_jkr) {
+LOOP_TEST(amplitude_zero_is_jkr, 0, SCENE_COUNT) {
   po_scene s = SCENES[_i];
   s.amplitude = 0.0;
   for (int k = 0; k < 2; ++k, s.wavelength = 0.0) {
@@ -97,9 +93,8 @@ START_TEST(amplitude_zero_is_jkr) {
     }
   }
 }
-END_TEST
 
-START_TEST(pull_off_is_the_global_minimum) { /* no load on a dense grid is lower */
+LOOP_TEST(pull_off_is_the_global_minimum, 0, SCENE_COUNT) { /* no load on a dense grid is lower */
   const po_scene *s = &SCENES[_i];
   const po_contact best = po_guduru_pull_off(s);
   double least = INFINITY;
@@ -109,15 +104,13 @@ START_TEST(pull_off_is_the_global_minimum) { /* no load on a dense grid is lower
   ck_assert_double_ge(least, best.load - 1e-12 * fabs(best.load));
   ck_assert_double_eq_tol(least, best.load, 1e-3 * fabs(best.load));
 }
-END_TEST
 
-START_TEST(guduru_pull_off_at_a_known_scene) {
+TEST(guduru_pull_off_at_a_known_scene) {
   ck_assert_double_eq_tol(-po_guduru_pull_off(&SCENES[0]).load, 19.9243, 1e-4);
 }
-END_TEST
 
 /* With many short waves the load is between the two envelopes and touches both. */
-START_TEST(envelope_encloses_eq_5) {
+TEST(envelope_encloses_eq_5) {
   const po_scene s = {3.1, 0.02, 0.9, 770.0, INFINITY};
   const double middle = 60.0;
   double low = INFINITY, high = INFINITY;
@@ -131,7 +124,6 @@ START_TEST(envelope_encloses_eq_5) {
   const double force = -po_guduru_pull_off(&s).load;
   ck_assert_double_eq_tol(force / (1.5 * po_kesari_lew_work(&s)), 1.0, 1e-3);
 }
-END_TEST
 
 /* Eq 22 by a fine midpoint sum in theta. Beyond 400 waves the gap is replaced by its mean. */
 static double eq_22(double amplitude, double alpha, double approach) {
@@ -152,7 +144,7 @@ static const double RIGID[][3] = {{1.0, 0.25, 0.2}, {0.7, 2.385, 0.31}, {5.0, 0.
                                   {40.0, 1.1, 0.1}, {1.0, 0.25, -1.3},  {0.31, 0.0997, 0.12}};
 enum { RIGID_COUNT = sizeof RIGID / sizeof *RIGID };
 
-START_TEST(rigid_wavy_sphere_is_eq_22) {
+LOOP_TEST(rigid_wavy_sphere_is_eq_22, 0, RIGID_COUNT) {
   const double A = RIGID[_i][0], alpha = RIGID[_i][1], approach = RIGID[_i][2];
   ck_assert_double_eq_tol(po_wavy_rigid_load(A, alpha, approach), eq_22(A, alpha, approach), 2e-9);
   const double h = 1e-4, slope = (po_wavy_rigid_load(A, alpha, approach + h) -
@@ -161,9 +153,8 @@ START_TEST(rigid_wavy_sphere_is_eq_22) {
   ck_assert_double_eq_tol(po_wavy_rigid_rate(A, alpha, approach), slope,
                           1e-5 * fmax(1.0, fabs(slope)));
 }
-END_TEST
 
-START_TEST(rigid_wavy_sphere_tends_to_bradley) {
+TEST(rigid_wavy_sphere_tends_to_bradley) {
   for (double approach = -3.1; approach < 0.5; approach += 0.7) {
     const double exact = po_bradley_load(approach);
     ck_assert_double_eq_tol(po_wavy_rigid_load(2.385, 1e-12, approach), exact,
@@ -172,9 +163,8 @@ START_TEST(rigid_wavy_sphere_tends_to_bradley) {
                             1e-9 * fmax(1.0, fabs(exact)));
   }
 }
-END_TEST
 
-START_TEST(rigid_pull_off_is_within_its_limits) {
+TEST(rigid_pull_off_is_within_its_limits) {
   ck_assert_double_eq_tol(po_wavy_rigid_pull_off(1.0, 0.25).force, 0.7410559, 1e-7);
   ck_assert_double_eq_tol(po_wavy_rigid_pull_off(1.0, 1e-4).force, 1.992148, 1e-6);
   for (double A = 1e-3; A < 2e4; A *= 100.0)
@@ -188,9 +178,8 @@ START_TEST(rigid_pull_off_is_within_its_limits) {
         ck_assert_double_eq_tol(p.force * 0.5 * (1.0 + 4.0 * M_PI * M_PI * alpha), 1.0, 1e-2);
     }
 }
-END_TEST
 
-START_TEST(estimates_agree_with_their_formulas) {
+LOOP_TEST(estimates_agree_with_their_formulas, 0, SCENE_COUNT) {
   const po_scene *s = &SCENES[_i];
   const double johnson = po_johnson_parameter(s), alpha = po_scene_alpha(s);
   const double beta = pow(s->wavelength, 3.0) / (2.0 * M_PI * pow(s->radius * s->tabor, 1.5));
@@ -208,18 +197,16 @@ START_TEST(estimates_agree_with_their_formulas) {
   ck_assert_double_eq_tol(-po_law_at(&law, h - 1.0).traction, po_lennard_jones_greatest().tension,
                           1e-15);
 }
-END_TEST
 
 /* The JKR sphere has one minimum, of load -3/2. */
-START_TEST(last_minimum_of_a_smooth_sphere) {
+TEST(last_minimum_of_a_smooth_sphere) {
   const po_scene scene = {2.385, 0.0, 0.0, 83.0, INFINITY};
   const double last = po_guduru_last_minimum(&scene, -1.4, 0.0);
   ck_assert_double_eq_tol(po_guduru_at(&scene, last).load, -1.5, 1e-13);
   ck_assert_double_eq(po_guduru_last_minimum(&scene, -1.6, 0.0), 0.0);
 }
-END_TEST
 
-START_TEST(outside_the_domain_the_result_is_nan) {
+TEST(outside_the_domain_the_result_is_nan) {
   const po_scene rigid = {0.0, 1.0, 20.0, 100.0, INFINITY};
   ck_assert(isnan(po_guduru_pull_off(&rigid).load));
   ck_assert(isnan(po_jkr_at(&rigid, 1.0).load));
@@ -228,7 +215,6 @@ START_TEST(outside_the_domain_the_result_is_nan) {
   ck_assert(isnan(po_wavy_rigid_pull_off(-1.0, 1.0).force));
   ck_assert(isnan(po_rumpf_rabinowicz_ratio(NAN, 1.0)));
 }
-END_TEST
 
 /* Spheres with few waves in the contact, with 2e4 and with 5e9; the search looked at every one. */
 static const po_scene OF_MANY_WAVES[] = {{2.385, 0.7, 13.1, 77.0, INFINITY},
@@ -236,7 +222,7 @@ static const po_scene OF_MANY_WAVES[] = {{2.385, 0.7, 13.1, 77.0, INFINITY},
                                          {1e-6, 1e5, 0.01, 1e5, INFINITY}};
 enum { MANY_COUNT = sizeof OF_MANY_WAVES / sizeof *OF_MANY_WAVES };
 
-START_TEST(no_minimum_is_beyond_the_last) {
+LOOP_TEST(no_minimum_is_beyond_the_last, 0, MANY_COUNT) {
   const po_scene *s = &OF_MANY_WAVES[_i];
   const double wave = s->wavelength, load = 0.9 * po_guduru_pull_off(s).load;
   const double last = po_guduru_last_minimum(s, load, 0.0);
@@ -259,27 +245,8 @@ START_TEST(no_minimum_is_beyond_the_last) {
               po_guduru_rate(s, PO_FIXED_LOAD, a + wave / 64.0) < 0.0 ||
               po_guduru_at(s, a + wave / 128.0).load > load);
 }
-END_TEST
 
-static void add(TCase *tests) {
+static void silence_gsl(void) {
   gsl_set_error_handler_off();
-  tcase_add_loop_test(tests, jkr_agrees_with_known_values, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, guduru_is_eq_5, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, guduru_load_rate_agrees_with_finite_differences, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, guduru_tends_to_jkr_for_small_amplitudes, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, amplitude_zero_is_jkr, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, pull_off_is_the_global_minimum, 0, SCENE_COUNT);
-  tcase_add_test(tests, guduru_pull_off_at_a_known_scene);
-  tcase_add_test(tests, envelope_encloses_eq_5);
-  tcase_add_loop_test(tests, no_minimum_is_beyond_the_last, 0, MANY_COUNT);
-  tcase_add_loop_test(tests, rigid_wavy_sphere_is_eq_22, 0, RIGID_COUNT);
-  tcase_add_test(tests, rigid_wavy_sphere_tends_to_bradley);
-  tcase_add_test(tests, rigid_pull_off_is_within_its_limits);
-  tcase_add_loop_test(tests, estimates_agree_with_their_formulas, 0, SCENE_COUNT);
-  tcase_add_test(tests, last_minimum_of_a_smooth_sphere);
-  tcase_add_test(tests, outside_the_domain_the_result_is_nan);
 }
-
-int main(void) {
-  return run_case("theory", add);
-}
+FIXTURE(silence_gsl, NULL)

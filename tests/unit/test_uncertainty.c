@@ -31,7 +31,7 @@ static po_profile noisy_tip(void) {
 static const double SCENES[][2] = {
     {0.004, INFINITY}, {0.1, 55.0}, {2.0, INFINITY}, {0.0, INFINITY}};
 
-START_TEST(adjoint_agrees_with_solves) {
+TABLE_TEST(adjoint_agrees_with_solves, SCENES) {
   po_request request = po_request_default();
   request.scene.profile = noisy_tip();
   request.scene.radius = 1.0;
@@ -48,14 +48,13 @@ START_TEST(adjoint_agrees_with_solves) {
   ck_assert_double_eq(o.uncertainty, u->force);
   po_result_clear(&o);
 }
-END_TEST
 
 static void vary(po_variation *v, po_request moved[2]) {
   *v = (po_variation){.moved = {&moved[0], &moved[1]}, .unit = {1.0, 1.0}};
   snprintf(v->source, sizeof v->source, "input");
 }
 
-START_TEST(inputs_agree_with_their_derivatives) {
+TEST(inputs_agree_with_their_derivatives) {
   po_request request = po_request_default(), tabor[2], amplitude[2];
   request.scene.amplitude = 0.37;
   request.scene.wavelength = 11.3;
@@ -80,10 +79,9 @@ START_TEST(inputs_agree_with_their_derivatives) {
   ck_assert_double_eq_tol(o.uncertainty, hypot(o.uncertain[0].force, o.uncertain[1].force), 1e-15);
   po_result_clear(&o);
 }
-END_TEST
 
 /* At 2.616 loading jumps to another minimum; beside it the force does not depend on the preload. */
-START_TEST(jumps_are_no_uncertainty) {
+LOOP_TEST(jumps_are_no_uncertainty, 0, 2) {
   po_request request = po_request_default(), moved[2];
   request.scene.tabor = 3.0;
   request.scene.amplitude = 1.0;
@@ -107,10 +105,9 @@ START_TEST(jumps_are_no_uncertainty) {
   }
   po_result_clear(&o);
 }
-END_TEST
 
 /* A jump that is small beside the uncertainty by another input counts in full. */
-START_TEST(small_jumps_are_their_size) {
+TEST(small_jumps_are_their_size) {
   po_request request = po_request_default(), tabor[2], same[2];
   for (int k = 0; k < 2; ++k) {
     tabor[k] = same[k] = request;
@@ -128,10 +125,9 @@ START_TEST(small_jumps_are_their_size) {
   ck_assert_double_eq_tol(o.uncertainty, hypot(o.uncertain[0].force, o.uncertain[1].force), 1e-15);
   po_result_clear(&o);
 }
-END_TEST
 
 /* A force that cannot be solved is unknown. */
-START_TEST(failures_are_unknown) {
+TEST(failures_are_unknown) {
   po_request request = po_request_default(), moved[2];
   moved[0] = moved[1] = request;
   moved[1].scene.radius = -1.0;
@@ -144,17 +140,4 @@ START_TEST(failures_are_unknown) {
   ck_assert(isnan(o.uncertain[0].force) && isnan(o.uncertain[0].above));
   ck_assert_double_eq_tol(o.uncertain[0].below, 0.0, 1e-9);
   po_result_clear(&o);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_loop_test(tests, adjoint_agrees_with_solves, 0, sizeof SCENES / sizeof *SCENES);
-  tcase_add_test(tests, inputs_agree_with_their_derivatives);
-  tcase_add_loop_test(tests, jumps_are_no_uncertainty, 0, 2);
-  tcase_add_test(tests, small_jumps_are_their_size);
-  tcase_add_test(tests, failures_are_unknown);
-}
-
-int main(void) {
-  return run_case("uncertainty", add);
 }

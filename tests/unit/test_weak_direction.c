@@ -28,7 +28,7 @@ static bool is_beyond(const po_branch_point *p, void *data) {
 }
 
 /* Two narrow rings of tension on a truncated sphere move nearly freely. */
-START_TEST(a_ring_of_tension_that_moves_freely_is_followed) {
+TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   po_request request = po_request_default();
   ck_assert(po_key_set(&request, PO_KEY_LAW, "morse:4.35609"));
   ck_assert(po_key_set(&request, PO_KEY_PROFILE, "truncated:39.439,37.8845"));
@@ -60,7 +60,6 @@ START_TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   po_equilibrium_destroy(e);
   po_surface_destroy(panels);
 }
-END_TEST
 
 /* Approaches at which the trace has contact on the second crest, and at which it ends. */
 static const double BEFORE = 180.0, PAST = 170.0;
@@ -172,13 +171,12 @@ static uint64_t trace_sphere(const double number[4], po_branch_visit visit, void
  * second crest, which is an annulus of radius 14,650 and width 150 eps then, and 200 times as wide
  * as its edges. It moves nearly freely: the Jacobian has a singular value of 8e-4, the factors of
  * 8e-3. Newton's method contracted by 1.5 % an iteration, and the trace ended at approach 173.8. */
-START_TEST(a_narrow_annulus_of_contact_is_followed) {
+TEST(a_narrow_annulus_of_contact_is_followed) {
   annulus seen = {0};
   trace_sphere((double[]){94.74, 146.66666666666669, 16666.666666666668, 416666.666666667},
                is_past_annulus, &seen);
   ck_assert(seen.compared);
 }
-END_TEST
 
 /* Whether the trace is past approach -120 in contact. `data` is unused. */
 static bool is_past_neck(const po_branch_point *p, void *data) {
@@ -190,17 +188,16 @@ static bool is_past_neck(const po_branch_point *p, void *data) {
 /* Near a maximum of the load, the deepening neck changes the load by less per step than the error
  * of a solution. Each step was halved down to 2^-14 of its length in search of extrema: 38,753
  * Newton iterations to approach -109; some 2,000 without. */
-START_TEST(extrema_below_the_error_of_solutions_are_not_sought) {
+TEST(extrema_below_the_error_of_solutions_are_not_sought) {
   po_equilibrium *e = NULL;
   ck_assert_uint_lt(
       trace_sphere((double[]){3800.48993, 2977.62351, 106540.669, 9497957.82}, is_past_neck, &e),
       6000);
 }
-END_TEST
 
 /* An annulus that has just formed moves freely where the edges are not yet narrow: steps had become
  * as short as 1e-9 at approach -34.8341, and the solve failed. */
-START_TEST(a_new_annulus_between_wider_edges_is_followed) {
+TEST(a_new_annulus_between_wider_edges_is_followed) {
   po_request request = po_request_default();
   request.scene.tabor = 24.6766;
   request.scene.radius = 1191.95;
@@ -213,16 +210,4 @@ START_TEST(a_new_annulus_between_wider_edges_is_followed) {
   ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 5.2293557, 1e-7 + o.pull_off.force_error);
   po_result_clear(&o);
-}
-END_TEST
-
-static void add(TCase *tests) {
-  tcase_add_test(tests, a_ring_of_tension_that_moves_freely_is_followed);
-  tcase_add_test(tests, a_narrow_annulus_of_contact_is_followed);
-  tcase_add_test(tests, a_new_annulus_between_wider_edges_is_followed);
-  tcase_add_test(tests, extrema_below_the_error_of_solutions_are_not_sought);
-}
-
-int main(void) {
-  return run_case("weak_direction", add);
 }
