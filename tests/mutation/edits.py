@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 """Draws random edits of the source, runs the tests with each, and prints the edits that no test noticed.
 
-Works in a copy of the tree with a separate build, below --output. Results are kept there and used again until the
-sources or tests change. README.md says how edits are drawn, and how to judge those that survive."""
+Works in a copy of the tree with a separate build, below --output. Results are kept there and used again until a file of the
+tree changes. README.md says how edits are drawn, and how to judge those that survive."""
 
 import argparse
 import collections
 import concurrent.futures
 import difflib
-import fcntl
 import hashlib
+import itertools
 import json
 import math
 import os
@@ -20,7 +20,6 @@ import subprocess
 import sys
 import tempfile
 import threading
-import time
 import tomllib
 
 import detect
@@ -29,20 +28,12 @@ import plant
 
 SUITES = ("unit", "theory", "convergence", "cases", "cli")
 LEFT_OUT = {".git", ".ccache", "__pycache__"}
-NO_PART = ("tests/mutation/", "tests/report/", "reports/")  # parts of the copy that no test of an edit reads
 JUDGED = {"file": str, "function": str, "line": str, "becomes": str, "nth": int, "because": str}
 KEY = ("file", "function", "line", "becomes", "nth")
 ENOUGH = 95  # per cent of the edits that are not equivalent
 
-# The initial order of the tests assumes that each test was run PRIOR times and caught one edit, or PRIOR_OWN edits of
-# the library that it is a test of.
-PRIOR, PRIOR_OWN = 10, 6
-
 # Exit status of a test that lacks a package, see tests/cli/adapters.sh: it passes, and catches nothing.
 SKIPPED = 77
-
-# Approximate time to link a program, in seconds.
-LINK = 0.2
 
 # Limits of an edited program, which may request any amount: bytes of memory and of one file.
 MOST_MEMORY, MOST_FILE = 6 << 30, 256 << 20
@@ -55,80 +46,62 @@ def arguments(words):
     parser.add_argument("--edit", action="append", metavar="NAME", help="only this edit, drawn or not; may be repeated")
     parser.add_argument("--suite", action="append", metavar="NAME",
                         help=f"a suite of tests to run; may be repeated ({', '.join(SUITES)})")
-    parser.add_argument("--longest", type=float, default=math.inf, metavar="S",
-                        help="only tests that take no more than S seconds; a later run takes up the others")
+    parser.add_argument("--longest", type=float, default=math.inf, metavar="S", help="only tests that take no more than S seconds")
     parser.add_argument("--output", default=os.path.join("build", "edits"), metavar="DIR",
                         help="where the copy, its build and the results are (build/edits)")
-    parser.add_argument("--jobs", type=int, default=0, metavar="N", help="edits at a time (0: all cores)")
-    parser.add_argument("--sanitize", action="store_true",
-                        help="run the tests under the address and undefined-behaviour sanitizers, several times slower")
+    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), metavar="N", help="edits at a time (all cores)")
     parser.add_argument("--list", action="store_true", help="only print the edits that are drawn")
-    parser.add_argument("--fresh", action="store_true", help="keep no results of earlier runs")
     return parser.parse_args(words)
 
 
 # -- The copy of the tree
 
-def files_below(root):
-    """All files of a tree, relative to it, without builds and the git directory."""
+def stamps_of(root):
+    """Size and time of every file of a tree, without builds and the git directory."""
+    found = {}
     for place, inner, names in os.walk(root):
-        at_root = os.path.samefile(place, root)
-        inner[:] = sorted(name for name in inner if name not in LEFT_OUT and not (at_root and name.startswith("build")))
-        for name in sorted(names):
-            yield os.path.relpath(os.path.join(place, name), root)
-
-
-def content(path):
-    with open(path, "rb") as stream:
-        return stream.read()
+        inner[:] = [name for name in inner if name not in LEFT_OUT and not (place == root and name.startswith("build"))]
+        for path in (os.path.join(place, name) for name in names):
+            state = os.stat(path)
+            found[os.path.relpath(path, root)] = (state.st_size, state.st_mtime_ns)
+    return found
 
 
 def mirror(root, copy):
     """Makes a folder a copy of a tree. Equal files are not touched, so that the build does not compile them again."""
-    wanted = set(files_below(root))
-    if os.path.isdir(copy):
-        for name in set(files_below(copy)) - wanted:
-            os.remove(os.path.join(copy, name))
+    wanted, present = stamps_of(root), stamps_of(copy)
+    for name in present.keys() - wanted.keys():
+        os.remove(os.path.join(copy, name))
     for name in wanted:
         path, made = os.path.join(root, name), os.path.join(copy, name)
-        if not os.path.exists(made) or content(path) != content(made):
+        if name not in present or plant.content(path) != plant.content(made):
             os.makedirs(os.path.dirname(made), exist_ok=True)
             shutil.copy(path, made)
 
 
-def digest_of(root, below=("",)):
-    """sha256 of all files that a result depends on, or only of those below the given folders."""
+def digest_of(root):
+    """sha256 of all files of a tree that a test of an edit may read: not of the judged edits."""
     digest = hashlib.sha256()
-    for name in files_below(root):
-        if name.startswith(below) and not name.startswith(NO_PART):
-            digest.update(f"{name}\0{hashlib.sha256(content(os.path.join(root, name))).hexdigest()}\n".encode())
+    for name in sorted(name for name in stamps_of(root) if not name.startswith("tests/mutation/")):
+        digest.update(f"{name}\0{hashlib.sha256(plant.content(os.path.join(root, name))).hexdigest()}\n".encode())
     return digest.hexdigest()
 
 
-def stamps_of(root):
-    """Size and time of every file, to detect whether a test wrote into the tree."""
-    found = {}
-    for name in files_below(root):
-        state = os.stat(os.path.join(root, name))
-        found[name] = (state.st_size, state.st_mtime_ns)
-    return found
-
-
-def make_build(tree, folder, options):
+def make_build(tree, folder):
     """Configures and builds the copy; an existing build is updated."""
-    setup = [] if os.path.exists(os.path.join(folder, "build.ninja")) else [["meson", "setup", folder, tree, *options]]
+    setup = [] if os.path.exists(os.path.join(folder, "build.ninja")) else [["meson", "setup", folder, tree]]
     for words in [*setup, ["ninja", "-C", folder]]:
         said = subprocess.run(words, capture_output=True, text=True, check=False)
         if said.returncode:
             raise plant.Stale(f"{' '.join(words)} failed:\n{said.stdout}{said.stderr}")
+    return plant.Build(folder, tree)
 
 
 # -- The list of judged edits
 
 def read_judged(path):
     """The reasons why edits need not be caught, with the keys (file, function, line, becomes, nth)."""
-    with open(path, "rb") as stream:
-        entries = tomllib.load(stream).get("equivalent", [])
+    entries = tomllib.loads(plant.content(path).decode()).get("equivalent", [])
     judged = {}
     for entry in entries:
         entry.setdefault("nth", 1)
@@ -172,7 +145,9 @@ class Tests:
             programs = {self.program_of(word) for word in test["cmd"]} - {None}
             if suite & set(suites) and programs:
                 name = f"{sorted(suite & set(suites))[0]}/{test['name']}"
-                self.tests[name] = dict(test, programs=programs, targets={self.build.tested_by(name) for name in programs})
+                self.tests[name] = dict(test, programs=programs, targets={build.tested_by(name) for name in programs})
+        if not self.tests:
+            raise plant.Stale("no test of these suites runs a program of the build")
 
     def program_of(self, word):
         """The name of the program of the build that a word of a command refers to; None if there is none."""
@@ -190,65 +165,33 @@ class Tests:
                     and os.pardir not in word.split(os.sep) and os.path.relpath(inside, self.build.folder) not in self.folders:
                 words.append(os.path.join(place, os.path.relpath(inside, self.build.folder)))
             else:
-                words.append(inside if os.sep in word and os.path.exists(inside) else word)
+                words.append(word)
         return words
 
     def run(self, name, programs, place, limit):
         """Runs a test. Returns what caught the edit (`test`, `timeout` or None) and the processor time."""
         temporary = tempfile.mkdtemp(prefix="pulloff-edit-")  # not below the tree, which git reads
-        environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", TMPDIR=temporary,
-                           UBSAN_OPTIONS="halt_on_error=1", ASAN_OPTIONS="intercept_tls_get_addr=0",
-                           **self.tests[name]["env"])
+        environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", TMPDIR=temporary, **self.tests[name]["env"])
         environment["PULLOFF_DATA"] = self.build.source  # scripts set their own
         code, seconds, _ = detect.execute(self.command(name, programs, place),
-                                          os.path.join(place, name.replace("/", "-") + ".log"), environment, place,
-                                          limit)
+                                          os.path.join(place, name.replace("/", "-") + ".log"), environment, place, limit)
         shutil.rmtree(temporary, ignore_errors=True)
         return ("timeout" if code is None else "test" if code not in (0, SKIPPED) else None), seconds
-
-
-def expected_cost(seconds, tried, caught, own=False):
-    """Expected processor time of a test for each edit that it catches. It determines the order of the tests. `own`: the
-    test is one of the library that the edit is in."""
-    return (seconds + LINK) * (tried + PRIOR) / (caught + (PRIOR_OWN if own else 1))
 
 
 # -- The campaign
 
 class Campaign:
     def __init__(self, wanted):
-        self.wanted = wanted
-        self.output = os.path.abspath(wanted.output)
-        self.jobs = wanted.jobs or len(os.sched_getaffinity(0))
+        self.wanted, self.output = wanted, os.path.abspath(wanted.output)
         self.tree = os.path.join(self.output, "tree")
-        os.makedirs(self.output, exist_ok=True)
-        self.hold = open(os.path.join(self.output, "lock"), "w", encoding="utf-8")
-        try:
-            fcntl.flock(self.hold, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError as error:
-            raise plant.Stale(f"another run works in {self.output}: expected one with --output of its own") from error
-        self.whole = os.path.join(self.output, "whole")  # from which the copy is restored if an edit wrote into it
-        mirror(plant.SOURCE, self.whole)
-        mirror(self.whole, self.tree)
-        self.digest = digest_of(self.tree)
-        self.stamps = stamps_of(self.tree)
+        os.makedirs(self.tree, exist_ok=True)
+        mirror(plant.SOURCE, self.tree)
+        self.digest, self.stamps = digest_of(self.tree), stamps_of(self.tree)
         self.judged = read_judged(os.path.join(plant.HERE, "equivalents.toml"))
-        self.build = self.built("build", [])
-        self.tested = self.built("build-sanitize", ["-Dbuildtype=debugoptimized", "-Db_sanitize=address,undefined"]) \
-            if wanted.sanitize else self.build
-        self.tests = Tests(self.tested, wanted.suite or SUITES)
-        if not self.tests.tests:
-            raise plant.Stale("no test of these suites runs a program of the build")
-        self.baseline, self.asked = {}, set()
-        self.results = os.path.join(self.output, "results-sanitize" if wanted.sanitize else "results")
-        os.makedirs(self.results, exist_ok=True)
-        self.history = self.read_history()
+        self.build = make_build(self.tree, os.path.join(self.output, "build"))
+        self.tests = Tests(self.build, wanted.suite or SUITES)
         self.lock = threading.Lock()
-        self.total, self.done, self.begin = 0, 0, time.monotonic()
-
-    def built(self, name, options):
-        make_build(self.tree, os.path.join(self.output, name), options)
-        return plant.Build(os.path.join(self.output, name), self.tree)
 
     def place(self, *names):
         path = os.path.join(self.output, "work", *names)
@@ -256,197 +199,127 @@ class Campaign:
         os.makedirs(path)
         return path
 
-    def kept(self, path):
+    def kept(self, name, work):
+        """A result of an earlier run with the same tree, or of `work`, which is then kept."""
+        path = os.path.join(self.output, "results", name + ".json")
         try:
-            with open(path, encoding="utf-8") as stream:
-                return json.load(stream)
+            found = json.loads(plant.content(path))
         except (OSError, ValueError):
-            return {}
+            found = {}
+        if found.get("digest") != self.digest:
+            found = {"digest": self.digest, "value": work()}
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            with open(path, "w", encoding="utf-8") as stream:
+                json.dump(found, stream)
+        return found["value"]
 
-    def keep(self, path, value):
-        with open(path + ".new", "w", encoding="utf-8") as stream:
-            json.dump(value, stream, indent=1)
-            stream.write("\n")
-        os.replace(path + ".new", path)
+    def draw(self):
+        """The selected edits."""
+        edits, self.paths = draw.candidates(self.tree)
+        named = {edit.name: edit for edit in edits}
+        for file, function, line, becomes, _ in sorted(self.judged.keys() - {key_of(edit) for edit in edits}):
+            print(f"# {file}, {function}: no longer in the source, take it from equivalents.toml: {line} -> {becomes}")
+        if self.wanted.edit:
+            unknown = set(self.wanted.edit) - named.keys()
+            if unknown:
+                raise plant.Stale(f"there is no edit {', '.join(sorted(unknown))} of this source")
+            return [named[name] for name in self.wanted.edit]
+
+        def drawn():
+            compiler = draw.Compiler(self.build, self.place("draw"), self.paths)
+            effective = filter(compiler.is_effective, draw.order(self.wanted.seed, edits))
+            return [edit.name for edit in itertools.islice(effective, self.wanted.count)]
+        return [named[name] for name in self.kept(f"drawn-{self.wanted.seed}-{self.wanted.count}", drawn)]
 
     def run_baseline(self):
         """The processor time of every test without an edit. No test may fail then."""
-        path = os.path.join(self.results, "..", os.path.basename(self.results) + "-baseline.json")
-        kept = self.kept(path)
-        known = kept.get("seconds", {}) if kept.get("digest") == self.digest else {}
-
         def one(name):
-            if name in known:
-                return known[name]
-            programs = {program: os.path.join(self.tested.folder, program)
-                        for program in self.tests.tests[name]["programs"]}
+            programs = {program: os.path.join(self.build.folder, program) for program in self.tests.tests[name]["programs"]}
             place = self.place("baseline", name)
             for _ in range(2):  # a second time, because a test may time out once on a loaded machine
-                by, seconds = self.tests.run(name, programs, place, detect.FIRST_LIMIT * (10 if self.wanted.sanitize
-                                                                                         else 1))
+                by, seconds = self.tests.run(name, programs, place, detect.FIRST_LIMIT)
                 if not by:
                     return seconds
             raise plant.Stale(f"{name} fails without an edit: see {place}")
-        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            self.baseline = dict(zip(self.tests.tests, pool.map(one, self.tests.tests)))
-        self.keep(path, {"digest": self.digest, "seconds": self.baseline})
-        self.asked = {name for name, seconds in self.baseline.items() if seconds <= self.wanted.longest}
-
-    def draw(self):
-        """The selected edits. Keeps which candidates change the program, because finding out needs a compilation."""
-        modules = draw.candidates(self.tree)
-        edits = {edit.name: edit for found in modules.values() for edit in found}
-        known = {key_of(edit) for edit in edits.values()}
-        for file, function, line, becomes, _ in sorted(self.judged.keys() - known):
-            print(f"# {file}, {function}: no longer in the source, take it from equivalents.toml: {line} -> {becomes}")
-        if self.wanted.edit:
-            unknown = set(self.wanted.edit) - edits.keys()
-            if unknown:
-                raise plant.Stale(f"there is no edit {', '.join(sorted(unknown))} of this source")
-            return [edits[name] for name in self.wanted.edit]
-        path = os.path.join(self.output, f"drawn-{self.wanted.seed}-{self.wanted.count}.json")
-        kept, digest = self.kept(path), digest_of(self.tree, ("src/", "meson"))
-        if kept.get("digest") != digest:
-            compiler = draw.Compiler(self.build, lambda file: self.place("draw", file))
-            drawn = draw.draw(self.wanted.seed, modules, self.wanted.count, compiler.is_effective, self.jobs)
-            kept = {"digest": digest, "edits": [edit.name for edit in drawn]}
-            self.keep(path, kept)
-        return [edits[name] for name in kept["edits"]]
+        names = sorted(self.tests.tests)
+        with concurrent.futures.ThreadPoolExecutor(self.wanted.jobs) as pool:
+            seconds = pool.map(lambda name: self.kept(f"baseline/{name}", lambda: one(name)), names)
+        self.baseline = {name: time for name, time in zip(names, seconds) if time <= self.wanted.longest}
 
     def source_of(self, edit):
-        with open(os.path.join(self.tree, edit.file), encoding="utf-8") as stream:
-            return stream.read()
+        return plant.content(self.paths[edit.file]).decode()
 
     def diff(self, edit):
-        source = self.source_of(edit)
+        source, name = self.source_of(edit), os.path.relpath(self.paths[edit.file], self.tree)
         return "".join(difflib.unified_diff(source.splitlines(True), edit.applied(source).splitlines(True),
-                                            "a/" + edit.file, "b/" + edit.file, n=2))
+                                            "a/" + name, "b/" + name, n=2))
 
-    def path_of(self, edit):
-        return os.path.join(self.results, edit.name + ".json")
-
-    def read_history(self):
-        """Reads the results of earlier runs, of any version of the sources. They only set the order of the tests."""
-        rows = [self.kept(os.path.join(self.results, name)) for name in sorted(os.listdir(self.results))]
-        return [row for row in rows if row.get("module")]
-
-    def order(self, edit, last):
-        """The tests for an edit: first the one that caught it last time, then by the expected cost of a caught edit."""
-        tried, caught, module = collections.Counter(), collections.Counter(), os.path.dirname(edit.file)
-        target = self.tested.target_of(edit.file)
-        with self.lock:
-            for row in self.history:
-                if row["module"] == module:
-                    tried.update(row["passed"])
-                    tried[row["caught_by"]] += 1
-                    caught[row["caught_by"]] += 1
-        return sorted(self.asked, key=lambda name: (
-            name != last, expected_cost(self.baseline[name], tried[name], caught[name],
-                                        target in self.tests.tests[name]["targets"]), name))
-
-    def try_edit(self, edit, kept):
-        """Runs the tests with an edit until one fails, except those that it passed before. Returns its row."""
-        row = {"name": edit.name, "digest": self.digest, "module": os.path.dirname(edit.file), "kind": edit.kind,
-               "caught_by": None, "by": None, "passed": [], "seconds": 0.0}
-        if kept.get("digest") == self.digest and not self.wanted.fresh:
-            row.update(passed=kept["passed"], seconds=kept["seconds"])
-        place, begin = self.place(edit.name), time.monotonic()
-        made = [self.tested.compile_text(edit.file, edit.applied(self.source_of(edit)), place, ["-w"])]
-        programs = {}
-        for name in self.order(edit, kept.get("caught_by")):
-            altered = name not in row["passed"] and self.altered(name, programs, made, place)
+    def try_edit(self, edit):
+        """What catches an edit: the name of the test and how. First the tests of its library, then the others, the
+        quickest first."""
+        place, programs = self.place(edit.name), {}
+        made = [self.build.compile_text(self.paths[edit.file], edit.applied(self.source_of(edit)), place, ["-w"])]
+        target = self.build.target_of(self.paths[edit.file])
+        for name in sorted(self.baseline, key=lambda name: (target not in self.tests.tests[name]["targets"], self.baseline[name])):
+            altered = self.altered(name, programs, made, place)
             if not altered:
                 continue
             limit = detect.limit_of({"seconds": self.baseline[name]})
             by, _ = self.tests.run(name, altered, place, limit)
             if by and self.tests.tests[name]["cmd"][0] not in altered.values():
                 by, _ = self.tests.run(name, altered, place, limit)  # a script may time out once, so it must fail twice
-            if not by and stamps_of(self.tree) != self.stamps:
-                by = "tree"
-            if by:
-                row.update(caught_by=name, by=by)
-                break
-            row["passed"].append(name)
-        row["seconds"] = round(row["seconds"] + time.monotonic() - begin, 1)
-        if row["caught_by"]:
-            shutil.rmtree(place)
-        self.restore()
-        return row
+            if by or not self.is_restored():
+                shutil.rmtree(place)
+                return [name, by or "tree"]
+        return None
 
     def altered(self, name, programs, made, place):
         """The programs of a test, linked with the edit where they contain the edited file; none if no program does."""
         for program in self.tests.tests[name]["programs"]:
             if program not in programs:
-                programs[program] = self.tested.program(program, made, place)
+                programs[program] = self.build.program(program, made, place)
         own = {program: programs[program] for program in self.tests.tests[name]["programs"]}
-        if not any(own.values()):
-            return None
-        return {program: path or os.path.join(self.tested.folder, program) for program, path in own.items()}
+        return {program: path or os.path.join(self.build.folder, program) for program, path in own.items()} if any(own.values()) else None
 
-    def restore(self):
-        """Restores the copy of the tree, because an edited program may write anywhere."""
+    def is_restored(self):
+        """Whether no program has written into the copy of the tree, which is restored otherwise."""
         with self.lock:
-            if stamps_of(self.tree) != self.stamps:
-                mirror(self.whole, self.tree)
+            same = stamps_of(self.tree) == self.stamps
+            if not same:
+                mirror(plant.SOURCE, self.tree)
                 self.stamps = stamps_of(self.tree)
-
-    def outcome(self, edit):
-        """The row of an edit, from an earlier run or from this one."""
-        kept = self.kept(self.path_of(edit))
-        known = kept.get("digest") == self.digest and not self.wanted.fresh
-        if not (known and (kept["caught_by"] or self.asked <= set(kept["covers"]))):
-            covers = self.asked | set(kept["covers"] if known else ())
-            kept = self.try_edit(edit, kept)
-            kept["covers"] = sorted(covers)
-            self.keep(self.path_of(edit), kept)
-            with self.lock:
-                self.history.append(kept)
-        self.tell(edit, kept)
-        return kept
-
-    def tell(self, edit, row):
-        with self.lock:
-            self.done += 1
-            spent = time.monotonic() - self.begin
-            left = spent / self.done * (self.total - self.done)
-            what = f"caught by {row['caught_by']} in {row['seconds']:.0f} s" if row["caught_by"] else "not caught"
-            print(f"{self.done}/{self.total} edits, {spent:.0f} s elapsed, about {left:.0f} s remaining "
-                  f"({edit.name}, {edit.file}: {what})", file=sys.stderr, flush=True)
+            return same
 
     def run(self, edits):
-        self.total, self.begin = len(edits), time.monotonic()
-        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            rows = list(pool.map(self.outcome, edits))
-        return list(zip(edits, rows))
+        """The edits, each with what caught it."""
+        def outcome(edit):
+            by = self.kept(f"{edit.name}-{self.wanted.longest}", lambda: self.try_edit(edit))
+            print(f"{edit.name}, {edit.file}: {f'caught by {by[0]}' if by else 'not caught'}", file=sys.stderr, flush=True)
+            return edit, by
+        with concurrent.futures.ThreadPoolExecutor(self.wanted.jobs) as pool:
+            return list(pool.map(outcome, edits))
 
 
 def summary(campaign, results):
     """Prints the edits that survive and the counts. Returns whether enough edits were caught."""
-    caught = [row for _, row in results if row["caught_by"]]
-    left = [edit for edit, row in results if not row["caught_by"]]
+    caught = [(edit, by) for edit, by in results if by]
+    left = [edit for edit, by in results if not by]
     judged = [edit for edit in left if key_of(edit) in campaign.judged]
-    survivors = [edit for edit in left if key_of(edit) not in campaign.judged]
-    for title, edits in (("judged equivalent", judged), ("survivor", survivors)):
-        for edit in edits:
-            print(f"# {title}: {edit.name}, {edit.kind}, in {edit.function or 'no function'}")
-            print(campaign.diff(edit))
-            if edit in judged:
-                print(f"# because {campaign.judged[key_of(edit)]}\n")
+    survivors = [edit for edit in left if edit not in judged]
+    for edit in judged + survivors:
+        print(f"# {edit.name}, {edit.kind}: {campaign.judged.get(key_of(edit), 'survives')}\n{campaign.diff(edit)}")
     path = os.path.join(campaign.output, "survivors.toml")
     with open(path, "w", encoding="utf-8") as stream:
-        stream.write("\n".join(entry_of(edit) for edit in survivors))
-    for what, of in (("suite", lambda row: row["caught_by"].split("/")[0]), ("test", lambda row: row["caught_by"]),
-                     ("kind of edit", lambda row: row["kind"]), ("module", lambda row: row["module"])):
-        counts = collections.Counter(of(row) for row in caught)
+        stream.write("\n".join(map(entry_of, survivors)))
+    for what, of in (("test", lambda edit, by: by[0]), ("kind of edit", lambda edit, by: edit.kind),
+                     ("file", lambda edit, by: edit.file)):
+        counts = collections.Counter(of(*row) for row in caught)
         print(f"# caught, by {what}: " + ", ".join(f"{name} {count}" for name, count in counts.most_common()))
-    late = sum(row["by"] == "timeout" for row in caught)
-    seconds = sum(row["seconds"] for _, row in results)
+    late = sum(by[1] == "timeout" for _, by in caught)
     share = 100.0 * len(caught) / max(1, len(results) - len(judged))
     print(f"# {len(results)} drawn, {len(caught)} caught ({late} of them out of time), {len(judged)} equivalent, "
-          f"{len(survivors)} survivors; {share:.1f} % of those that are not equivalent are caught; "
-          f"{seconds / max(1, len(results)):.1f} s an edit")
-    if survivors:
-        print(f"# entries for equivalents.toml, without reasons: {path}")
+          f"{len(survivors)} survivors (entries for equivalents.toml, without reasons: {path}); {share:.1f} % of those that are "
+          "not equivalent are caught")
     return share >= ENOUGH
 
 
@@ -458,9 +331,8 @@ def interrupted(*_):
 
 def main(words):
     wanted = arguments(words)
-    if not wanted.sanitize:  # the sanitizers reserve terabytes of address space
-        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, resource.RLIM_INFINITY))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (MOST_FILE, resource.RLIM_INFINITY))
+    for limit, most in ((resource.RLIMIT_AS, MOST_MEMORY), (resource.RLIMIT_FSIZE, MOST_FILE)):
+        resource.setrlimit(limit, (most, resource.RLIM_INFINITY))
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, interrupted)
     try:

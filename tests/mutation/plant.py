@@ -21,10 +21,14 @@ class Stale(Exception):
     """A fault does not fit the source, or the build cannot be used."""
 
 
+def content(path):
+    with open(path, "rb") as stream:
+        return stream.read()
+
+
 def read_faults(path):
     """The faults of a file, each with all keys."""
-    with open(path, "rb") as stream:
-        faults = tomllib.load(stream)["fault"]
+    faults = tomllib.loads(content(path).decode())["fault"]
     names = set()
     for fault in faults:
         known = dict(FAULT, **OPTIONAL)
@@ -43,8 +47,7 @@ def altered(fault):
     """The source with the fault. The text of the fault must occur in it exactly once."""
     path = os.path.join(SOURCE, fault["file"])
     try:
-        with open(path, encoding="utf-8") as stream:
-            text = stream.read()
+        text = content(path).decode()
     except OSError as error:
         raise Stale(f"{fault['file']}: {error.strerror}") from error
     times = text.count(fault["old"])
@@ -95,8 +98,7 @@ class Build:
         return [self.compile_text(file, self.text_of(file), place, ["-w"]) for file in files]
 
     def text_of(self, file):
-        with open(os.path.join(self.source, file), encoding="utf-8") as stream:
-            return stream.read()
+        return content(os.path.join(self.source, file)).decode()
 
     def included_in(self, header):
         """The header and those that include it, and the compiled sources below src that include one of these."""

@@ -40,7 +40,7 @@ po_status po_made_up(po_made *m, size_t n, const char *name) {
 
 
 def found(text=PROGRAM):
-    return tokens.edits_of("src/made/po_made.c", text, STATUSES)
+    return tokens.edits_of("po_made.c", text, STATUSES)
 
 
 def pairs(kind):
@@ -111,52 +111,37 @@ class Edits(unittest.TestCase):
 class Draw(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.modules = draw.candidates(plant.SOURCE)
+        cls.edits, cls.paths = draw.candidates(plant.SOURCE)
 
-    def drawn(self, seed, count):
-        return draw.draw(seed, self.modules, count, lambda edit: True)
+    def drawn(self, seed, count, edits=None):
+        return draw.order(seed, edits or self.edits)[:count]
 
-    def test_every_source_has_edits_of_every_kind(self):
-        everything = [edit for module in self.modules.values() for edit in module]
-        files = {edit.file for edit in everything}
-        self.assertGreater(len(files), 100)
-        self.assertEqual({edit.kind for edit in everything}, set(tokens.KINDS))
-        self.assertEqual(len({edit.name for edit in everything}), len(everything))
+    def test_every_edit_has_a_name_and_every_kind_occurs(self):
+        self.assertEqual({edit.kind for edit in self.edits}, set(tokens.KINDS))
+        self.assertEqual(len({edit.name for edit in self.edits}), len(self.edits))
+        sources = [name for _, _, names in os.walk(os.path.join(plant.SOURCE, "src")) for name in names if name.endswith(".c")]
+        self.assertEqual(len(set(sources)), len(sources), "an edit is known by the name of its file")
+        self.assertGreater(len({edit.file for edit in self.edits}), 0.9 * len(sources))
 
     def test_the_draw_depends_on_the_seed_only(self):
-        first = self.drawn(1, 120)
-        self.assertEqual(len(first), 120)
-        self.assertEqual(first, self.drawn(1, 120))
-        self.assertLess(len(set(first) & set(self.drawn(2, 120))), 12)
+        self.assertEqual(self.drawn(1, 120), self.drawn(1, 120))
+        self.assertLess(len(set(self.drawn(1, 120)) & set(self.drawn(2, 120))), 12)
 
-    def test_a_larger_draw_contains_a_smaller_one(self):
-        self.assertLess(set(self.drawn(1, 50)), set(self.drawn(1, 120)))
-
-    def test_no_module_and_no_kind_is_left_out(self):
-        drawn = self.drawn(3, 150)
-        modules = collections.Counter(os.path.dirname(edit.file) for edit in drawn)
-        self.assertEqual(set(modules), set(self.modules))
-        self.assertGreaterEqual(min(modules.values()), 2)
-        self.assertLess(max(modules.values()), 150 // 2)
+    def test_all_kinds_and_parts_of_the_source_are_drawn(self):
+        drawn = self.drawn(3, 300)
         kinds = collections.Counter(edit.kind for edit in drawn)
-        self.assertGreaterEqual(min(kinds[kind] for kind in tokens.KINDS), 8)
-
-    def test_edits_without_effect_are_left_out(self):
-        first = self.drawn(1, 40)
-        without = draw.draw(1, self.modules, 40, lambda edit: edit != first[0])
-        self.assertEqual(len(without), 40)
-        self.assertEqual(len(set(first) & set(without)), 39)
+        self.assertGreaterEqual(min(kinds[kind] for kind in tokens.KINDS), 15)
+        self.assertLess(max(collections.Counter(edit.file for edit in drawn).values()), 12)
+        self.assertGreater(len({edit.file for edit in drawn}), 120)
 
     def test_a_change_of_some_files_keeps_most_of_the_draw(self):
         first = self.drawn(1, 120)
         gone = {edit.file for edit in first[:3]}
-        modules = {module: [edit for edit in found if edit.file not in gone] for module, found in self.modules.items()}
-        still = set(draw.draw(1, modules, 120, lambda edit: True))
+        still = set(self.drawn(1, 120, [edit for edit in self.edits if edit.file not in gone]))
         self.assertGreater(len(still & set(first)), 100)
 
     def test_the_list_of_the_project_fits_the_source(self):
-        possible = {edits.key_of(edit) for module in self.modules.values() for edit in module}
-        self.assertLessEqual(set(edits.read_judged(os.path.join(HERE, "equivalents.toml"))), possible)
+        self.assertLessEqual(set(edits.read_judged(os.path.join(HERE, "equivalents.toml"))), {edits.key_of(edit) for edit in self.edits})
 
 
 class Judged(unittest.TestCase):
@@ -179,14 +164,6 @@ class Judged(unittest.TestCase):
             self.read(reasoned.replace("line =", "lines ="))
 
 
-class Order(unittest.TestCase):
-    def test_cheap_and_successful_tests_come_first(self):
-        cost = edits.expected_cost
-        self.assertLess(cost(0.1, 0, 0), cost(2.0, 0, 0))
-        self.assertLess(cost(2.0, 10, 10), cost(1.0, 10, 0))
-        self.assertGreater(cost(0.1, 50, 0), cost(0.1, 0, 0))
-
-
 class Copy(unittest.TestCase):
     def test_a_copy_is_restored_and_contains_no_builds(self):
         with tempfile.TemporaryDirectory() as place:
@@ -195,8 +172,9 @@ class Copy(unittest.TestCase):
                 os.makedirs(os.path.dirname(os.path.join(root, name)), exist_ok=True)
                 with open(os.path.join(root, name), "w", encoding="utf-8") as stream:
                     stream.write(name)
+            os.mkdir(copy)
             edits.mirror(root, copy)
-            self.assertEqual(sorted(edits.files_below(copy)), ["src/a.c", "tests/build.c"])
+            self.assertEqual(sorted(edits.stamps_of(copy)), ["src/a.c", "tests/build.c"])
             digest, stamps = edits.digest_of(copy), edits.stamps_of(copy)
             edits.mirror(root, copy)
             self.assertEqual(edits.stamps_of(copy), stamps)
