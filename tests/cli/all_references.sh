@@ -11,47 +11,38 @@ cp -r "$source/reference" "$PULLOFF_DATA"
 rm -rf "$PULLOFF_DATA/reference/make"
 folder=$PULLOFF_DATA/reference
 
-# noticed NAME MESSAGE: tests that the list and standard error name the damaged table, and restores it.
-noticed() {
-  expect 4 "pulloff: $2" list --references
-  check "the list says that $1 is damaged" grep -q "^reference/$1 .*damaged: " "$work/stdout"
-  check 'no other table is damaged' test 1 -eq "$(grep -c damaged "$work/stdout")"
-  cp "$source/reference/$1" "$folder/$1"
-}
-
-# Changes every digit of the lines of a sed address.
-alter() { # ADDRESS FILE
-  sed -i "$1 { y/0123456789/1234567890/; }" "$2"
-}
-
 expect 0 '' list --references
 check 'every table of the source is in the index' test 0 -eq "$(grep -c 'not in the index' "$work/stdout")"
 tables=$(cd "$source/reference" && ls -- *.csv)
-check 'there are tables' test "$(echo "$tables" | wc -l)" -ge 12
-for name in $tables; do
-  file=$folder/$name
-  columns=$(grep -n -m 1 -v '^#' "$file" | cut -d: -f1)
-  rm "$file"
-  noticed "$name" "*reference/$name cannot be opened: No such file or directory"
-  sed -i '$d' "$file"
-  noticed "$name" "reference/$name:*: sha256 is *: expected *, the digest of all other lines*"
-  sed -i '$s/,[^,]*$//' "$file"
-  noticed "$name" "reference/$name:*: the row has * cell*: expected *"
-  sed -i "$columns,\$s/,[^,]*\$//" "$file"
-  noticed "$name" "reference/$name:*: sha256 is *"
-  truncate -s -2 "$file"
-  noticed "$name" "reference/$name:*: the last line has no newline: the file is truncated"
-  # one digit is altered, in the last number of a row in the middle and in the uncertainty in the header
-  middle=$(((columns + $(wc -l <"$file")) / 2 + 1))
-  digit=$(sed -n "${middle}s/.*\([0-9]\)[^0-9]*\$/\1/p" "$file")
-  sed -i "${middle}s/$digit\([^0-9]*\)\$/$(((digit + 1) % 10))\1/" "$file"
-  check "a digit of $name differs" test 2 -eq "$(diff "$file" "$source/reference/$name" | grep -c '^[<>]')"
-  noticed "$name" "reference/$name:*: sha256 is *"
-  alter '/^# uncertainty/' "$file"
-  noticed "$name" "reference/$name:*: sha256 is *"
-  sed -i 's/^# kind: oracle/# kind: pin/' "$file"
-  noticed "$name" "reference/$name:*: sha256 is *"
-done
+count=$(echo "$tables" | wc -l)
+check 'there are tables' test "$count" -ge 12
+
+# damaged MESSAGE COMMAND...: does the same damage to every table, whose name is the last argument of the command; tests that the
+# list says it of each, and restores them.
+damaged() {
+  says=$1
+  shift
+  for name in $tables; do "$@" "$folder/$name"; done
+  expect 4 'pulloff: *' list --references
+  check "each table: $says" test "$count" -eq "$(grep -c "^reference/[a-z0-9_]*\.csv .*damaged: .*$says" "$work/stdout")"
+  (cd "$source/reference" && cp -- *.csv "$folder")
+}
+header() { grep -n -m 1 -v '^#' "$1" | cut -d: -f1; } # FILE: the line of the names of its columns
+shorten() { sed -i '$s/,[^,]*$//' "$1"; }
+narrow() { sed -i "$(header "$1"),\$s/,[^,]*\$//" "$1"; }
+alter() { # one digit, in the last number of a row in the middle
+  middle=$((($(header "$1") + $(wc -l <"$1")) / 2 + 1))
+  digit=$(sed -n "${middle}s/.*\([0-9]\)[^0-9]*\$/\1/p" "$1")
+  sed -i "${middle}s/$digit\([^0-9]*\)\$/$(((digit + 1) % 10))\1/" "$1"
+}
+damaged 'No such file or directory' rm
+damaged 'sha256 is .*: expected ' sed -i '$d'
+damaged 'the row has .* cell.*: expected ' shorten
+damaged 'sha256 is ' narrow
+damaged 'the last line has no newline: the file is truncated' truncate -s -2
+damaged 'sha256 is ' alter
+damaged 'sha256 is ' sed -i '/^# uncertainty/ s/: /: 0/'
+damaged 'sha256 is ' sed -i 's/^# kind: oracle/# kind: pin/'
 
 # Without a case, verify checks all tables before it solves anything. With a case, it checks the tables of the case.
 sed -i '$d' "$folder/struve.csv"
