@@ -1,6 +1,7 @@
 """Functions for the tests of the command line in Python, which run in a folder of their own:
 pytest FILE --program PROGRAM"""
 
+import csv
 import dataclasses
 import fnmatch
 import hashlib
@@ -74,6 +75,11 @@ def document(words, *more):
 
 def load(path):
     return json.loads(pathlib.Path(path).read_text())
+
+
+def rows_of(path):
+    """The rows of a table, each as texts by column."""
+    return list(csv.DictReader(line for line in pathlib.Path(path).read_text().splitlines() if not line.startswith("#")))
 
 
 def agree(a, b, value, error="error_estimate", times=1.0):

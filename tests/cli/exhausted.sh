@@ -57,14 +57,6 @@ check 'no part of the curve is left' test -z "$(find . -name 'curve.csv*')"
 )
 check 'a stack of 128 kB suffices' test "$(cat code)" -eq 0
 
-# After an incomplete line, which a killed process may leave, the next point begins a new line.
-expect 0 'parts: 2 of 6 points, 0 checks: within' run --jobs 1 --output torn --points 0-1
-truncate -s -40 torn/$store
-expect 0 'parts: 1 of 6 points, 0 checks: within' run --jobs 1 --output torn --points 3
-mends parts 1 0 'parts: 6 points, 0 checks: within (2 points kept)' run --jobs 1 --output torn
-strip torn/parts/record.json >mended
-check 'the record made from the damaged store is complete' cmp mended at-once
-
 # A point that ran out of memory is no result.
 expect 0 'parts: 3 of 6 points, 0 checks: within' run --jobs 1 --output starved --points 0-2
 sed -i '2s/"status":"ok"/"status":"no_memory"/' starved/$store

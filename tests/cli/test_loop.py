@@ -1,13 +1,12 @@
 """The path of a test as a table: its area is the energy lost within the stated error, its jumps are two rows, and it is the
 same in a file, in the document and in a run, in SI units too."""
 
-import csv
 import math
 import pathlib
 import re
 
 import pytest
-from conftest import document, expect, load, run
+from conftest import document, expect, load, rows_of, run
 
 BODY = " --from-physical --modulus-pa 1.3385e9 --work-j-per-m2 0.0537 --distance-m 3.1e-10 --radius-m 2.7e-8"
 SCENES = ["--tabor 2.385", "--tabor 0.3", "--tabor 0 --radius 57", "--tabor 3 --amplitude 1 --wavelength 20 --preload 6",
@@ -17,8 +16,7 @@ SCENES = ["--tabor 2.385", "--tabor 0.3", "--tabor 0 --radius 57", "--tabor 3 --
 
 def table(path):
     """The columns of a table as lists, and its first header line."""
-    lines = pathlib.Path(path).read_text().splitlines()
-    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    lines, rows = pathlib.Path(path).read_text().splitlines(), rows_of(path)
     return {name: [row[name] if name in ("phase", "case", "status") else float(row[name]) for row in rows] for name in rows[0]}, lines[0]
 
 

@@ -1,11 +1,10 @@
 """Loading and unloading through a spring: its limits, where it jumps, what it loses, and its units."""
 
-import csv
 import math
 import random
 
 import pytest
-from conftest import ROOT, document, expect, run
+from conftest import ROOT, document, expect, rows_of, run
 
 SCENES = ["--tabor 2", "--tabor 0.3", "--tabor 0", "--tabor 3 --amplitude 1 --wavelength 20",
           "--profile cone:0.3 --coupling 0.4 --law morse:2"]
@@ -119,9 +118,8 @@ def test_stability_at_a_given_base(stiffness):
 
 def relaxed():
     """The loops of reference/spring_jumps.csv: a relaxation in time while the base is moved; no branch is followed."""
-    lines = [line for line in (ROOT / "reference/spring_jumps.csv").read_text().splitlines() if not line.startswith("#")]
     found = {}
-    for row in csv.DictReader(lines):
+    for row in rows_of(ROOT / "reference/spring_jumps.csv"):
         key = tuple(row[name] for name in ("tabor", "amplitude", "wavelength", "radius", "outer_radius", "stiffness", "preload_load"))
         found.setdefault(key, []).append(row)
     return sorted(found.items())

@@ -1,17 +1,10 @@
 """The pull-off for every preload: the output and the files of solve, the record, and the checks of the steps."""
 
-import csv
-import pathlib
-
 import pytest
-from conftest import ROOT, document, expect, load
+from conftest import ROOT, document, expect, load, rows_of
 
 SCENE = "solve --tabor 3 --amplitude 1 --wavelength 20 --tolerance 1e-4 "
 NO_HARDER = "^harder   no harder preload gives a greater pull-off force$"
-
-
-def rows_of(path):
-    return list(csv.DictReader(line for line in pathlib.Path(path).read_text().splitlines() if not line.startswith("#")))
 
 
 def test_json_csv_and_special_points_agree():

@@ -1,12 +1,11 @@
 """Noise of measured profiles and uncertain inputs: what they do to the pull-off force, and what is said where that is no number."""
 
-import csv
 import math
 import pathlib
 import random
 
 import pytest
-from conftest import document, expect, load
+from conftest import document, expect, load, rows_of
 
 TABLE = "solve --coupling 0.05 --table-scale 3 --profile-file"
 JUMP = "solve --tabor 3 --amplitude 1 --wavelength 20 --preload"  # another minimum is measured from the approach 2.616 on
@@ -91,8 +90,7 @@ def test_smoothed_table():
     """Gap and removed part together are the rows, relative to one on the axis; the table is one of the same profile."""
     name = write("tip.csv", 0.03)
     found = document(f"{TABLE} {name} --smooth auto --smoothed smoothed.csv")
-    rows = [[{key: float(x) for key, x in row.items()} for row in csv.DictReader(line for line in open(file) if line[0] != "#")]
-            for file in (name, "smoothed.csv")]
+    rows = [[{key: float(x) for key, x in row.items()} for row in rows_of(file)] for file in (name, "smoothed.csv")]
     axis = rows[0][0]["gap"] - rows[1][0]["removed"]
     for measured, smooth in zip(*rows, strict=True):
         assert measured["r"] == pytest.approx(smooth["r"], rel=1e-14)
