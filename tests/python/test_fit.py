@@ -50,7 +50,7 @@ def test_stiff_sample():
     found = fit.fit_curve(curve, *STIFF[:2])
     check(found, STIFF)
     assert found.errors[0] < 0.01 * found.values[0] and found.errors[1] < 0.03 * found.values[1]
-    theories = {name: fit.fit_theory(name, curve, *STIFF[:2]) for name in ("JKR", "DMT", "Maugis")}
+    theories = {name: fit.fit_theory(name, curve, *STIFF[:2]) for name in ("JKR", "DMT")}
     assert theories["JKR"].values[0] > 1.1 * STIFF[2][0] > 1.2 * theories["DMT"].values[0]  # the pull-off of mu = 0.66 is neither's
 
 
