@@ -135,29 +135,6 @@ static double tangent_precision(const po_continuation *t, double step) {
   return fmin(PO_STEP_TANGENT, EDGE_ERROR / way);
 }
 
-/* Solves the current point again on the present mesh, if its arclength functional differs there
- * from that on its own mesh by more than a step: no shorter step would converge then. The next step
- * is predicted from this solution alone. The present mesh is that of the attempt: where narrow
- * edges moved by many of their widths it does not resolve the current point, which then stays.
- * Returned: whether that was done. */
-static bool settle(po_continuation *t, double step) {
-  if (!on_panels(t) || !(step > 0.0))
-    return false;
-  po_corrector_guess(&t->c, &t->current);
-  const double place = po_corrector_place_of_guess(&t->c, &t->current);
-  if (!(fabs(place) > step) ||
-      po_corrector_solve(&t->c, &t->current, place, false, tangent_precision(t, step), &t->next) ||
-      !po_corrector_is_resolved(&t->c, &t->next))
-    return false;
-  t->next.position = t->current.position;
-  if (po_corrector_want_mesh(&t->c, &t->next))
-    return false;
-  po_solution_exchange(&t->current, &t->next);
-  t->has_previous = false;
-  t->error_factor = NAN;
-  return true;
-}
-
 /* -- One step -- */
 
 /* Why an attempt at a step was refused. */
@@ -384,7 +361,6 @@ static po_status stuck(const po_continuation *t) {
 }
 
 po_status po_continuation_advance(po_continuation *t) {
-  bool settled = false;
   for (;;) {
     if (t->step < PO_LOCATED)
       return stuck(t);
@@ -395,8 +371,6 @@ po_status po_continuation_advance(po_continuation *t) {
       t->c.e->factorized = false; /* they are of a state too far from the branch */
     if (t->c.trouble)
       return t->c.trouble;
-    if (!a.met && !settled)
-      settled = settle(t, a.step);
     if (!status && a.step > LONG_STEP)
       memset(t->refused, 0, sizeof t->refused);
     if (!status)
