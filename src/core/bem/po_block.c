@@ -3,12 +3,13 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "po_barycentric.h"
 #include "po_widths.h"
 
-/* Values that are processed together, and the groups of them in a column. */
-enum { LANES = 4, MOST_GROUPS = 4 };
-typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
-typedef int64_t mask __attribute__((vector_size(LANES * sizeof(int64_t))));
+/* The most groups of PO_LANES values in a column. */
+enum { MOST_GROUPS = 4 };
+typedef double lanes __attribute__((vector_size(PO_LANES * sizeof(double)), aligned(8), may_alias));
+typedef int64_t mask __attribute__((vector_size(PO_LANES * sizeof(int64_t))));
 
 /* y = start + A x, with 4 * groups rows. */
 PO_INLINE void apply(size_t groups, size_t columns, const double *a, const double *x,
@@ -40,9 +41,9 @@ PO_INLINE void apply_transposed(size_t groups, size_t columns, const double *a, 
   lanes own[MOST_GROUPS];
   for (size_t p = 0; p < groups; ++p)
     own[p] = ((const lanes *)x)[p];
-  for (size_t j = 0; j < columns; j += LANES) {
-    lanes part[LANES];
-    for (size_t k = 0; k < LANES; ++k, from += groups) {
+  for (size_t j = 0; j < columns; j += PO_LANES) {
+    lanes part[PO_LANES];
+    for (size_t k = 0; k < PO_LANES; ++k, from += groups) {
       part[k] = from[0] * own[0];
       for (size_t p = 1; p < groups; ++p)
         part[k] += from[p] * own[p];
@@ -52,7 +53,7 @@ PO_INLINE void apply_transposed(size_t groups, size_t columns, const double *a, 
 }
 
 PO_FOR_ALL_WIDTHS void po_block_apply(const double *block, const double *x, double *y) {
-  apply(PO_TABLE_ORDER / LANES, PO_TABLE_ORDER, block, x, y, y);
+  apply(PO_TABLE_ORDER / PO_LANES, PO_TABLE_ORDER, block, x, y, y);
 }
 
 PO_FOR_ALL_WIDTHS void po_block_apply_from(size_t columns, const double *a, const double *x,
@@ -74,9 +75,9 @@ PO_FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x,
   lanes *to = (lanes *)y;
   lanes y0 = to[0], y1 = to[1], y2 = to[2];
   const lanes u0 = from[0], u1 = from[1], u2 = from[2];
-  for (size_t j = 0; j < PO_TABLE_ORDER; j += LANES) {
-    lanes part[LANES];
-    for (size_t k = 0; k < LANES; ++k, b += 3) {
+  for (size_t j = 0; j < PO_TABLE_ORDER; j += PO_LANES) {
+    lanes part[PO_LANES];
+    for (size_t k = 0; k < PO_LANES; ++k, b += 3) {
       const lanes b0 = b[0], b1 = b[1], b2 = b[2];
       y0 += b0 * x[j + k];
       y1 += b1 * x[j + k];
@@ -130,8 +131,8 @@ PO_INLINE void subtract(size_t groups, const mask *keep, double factor, const la
  * Column k of the rows is replaced by a mask: a store of one value, before its vector is read,
  * makes the processor wait. */
 PO_INLINE int invert(size_t groups, double *a) {
-  const size_t n = groups * LANES;
-  size_t from[MOST_GROUPS * LANES];
+  const size_t n = groups * PO_LANES;
+  size_t from[MOST_GROUPS * PO_LANES];
   int sign = 1;
   for (size_t k = 0; k < n; ++k) {
     size_t best = k;
@@ -154,7 +155,7 @@ PO_INLINE int invert(size_t groups, double *a) {
     lanes own[MOST_GROUPS];
     mask keep[MOST_GROUPS];
     for (size_t p = 0; p < groups; ++p) {
-      keep[p] = FIRST != (int64_t)k - (int64_t)(p * LANES);
+      keep[p] = FIRST != (int64_t)k - (int64_t)(p * PO_LANES);
       own[p] = (lanes)(((mask)row[p] & keep[p]) | ((mask)ONE & ~keep[p])) * (1.0 / pivot);
     }
     for (size_t i = 0; i < n; ++i)

@@ -7,11 +7,9 @@
 #include "po_prediction.h"
 #include "po_scaled_tangent.h"
 
-/* If the iteration is slow but its last change, relative to 1 + H, is below NEAR, the Jacobian is
- * factorised there, at most MOST_RENEWALS times. */
-enum { MOST_RENEWALS = 2, MOST_FACTORS = 2 };
+enum { MOST_FACTORS = 2 };
 
-static const double NEAR = 0.1;
+const double PO_NEAR_SOLUTION = 0.1;
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_allowance allowed) {
   const size_t size = e->surface->capacity + 1;
@@ -33,14 +31,12 @@ po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
   return PO_OK;
 }
 
-/* A mesh is made for this part of the allowed errors and kept until the allowed errors are
- * exceeded, so that the contact edges can move a little on it. */
-static const double MESH_MARGIN = 0.2;
+const double PO_MESH_MARGIN = 0.2;
 
 po_status po_corrector_adapt(po_corrector *c, const po_gap_field *field, po_panels *panels) {
   po_resolution margin = c->resolution;
-  margin.allowed.gap *= MESH_MARGIN;
-  margin.allowed.load *= MESH_MARGIN;
+  margin.allowed.gap *= PO_MESH_MARGIN;
+  margin.allowed.load *= PO_MESH_MARGIN;
   return c->trouble = po_resolution_panels(&margin, field, panels);
 }
 
@@ -202,11 +198,11 @@ static po_status correct(po_corrector *c, const po_solution *from, double distan
                          po_solution *out) {
   const place along = {from, c->coordinate};
   const po_constraint constraint = {functional_progress, &along, distance, c->farthest};
-  const double greatest = fmin(NEAR, c->farthest);
+  const double greatest = fmin(PO_NEAR_SOLUTION, c->farthest);
   po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
   for (int k = 0;
        status && c->e->last_change < greatest &&
-       (k < MOST_RENEWALS || (status == PO_NOT_CONVERGED && turn_to_krylov(c->e, distance)));
+       (k < PO_MOST_RENEWALS || (status == PO_NOT_CONVERGED && turn_to_krylov(c->e, distance)));
        ++k) {
     if (factorize_at(c, from, out->state))
       return PO_NOT_CONVERGED;

@@ -10,6 +10,15 @@
 #include "po_solution.h"
 #include "po_special_point.h"
 
+/* If an iteration is slow but its last change, relative to 1 + H, is below PO_NEAR_SOLUTION, the
+ * Jacobian is factorised there, at most PO_MOST_RENEWALS times. */
+extern const double PO_NEAR_SOLUTION;
+enum { PO_MOST_RENEWALS = 2 };
+
+/* A mesh is made for this part of the allowed errors and kept until the allowed errors are
+ * exceeded, so that the contact edges can move a little on it. */
+extern const double PO_MESH_MARGIN;
+
 typedef struct {
   po_equilibrium *e;
   po_resolution resolution;

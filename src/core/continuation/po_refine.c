@@ -15,11 +15,6 @@ enum { MOST_SOLVES = 5 };
  * too many panels or nodes, the part is multiplied by COARSER until it exceeds MOST_CONTRIBUTES. */
 static const double CONTRIBUTES = 1e-4, COARSER = 10.0, MOST_CONTRIBUTES = 0.1;
 
-/* Greatest length of a panel of the finer mesh, in wavelengths. The Legendre coefficients of a
- * longer panel do not show its error; with 2.5 wavelengths on a panel, halving it does not either.
- */
-static const double TELLING_WAVES = 1.0;
-
 /* The secant method ends when its next step is shorter than PO_LOCATED, or than this part of its
  * last step. */
 static const double SMALL_STEP = 1e-3;
@@ -31,20 +26,21 @@ static const double AT_ROOT = 1e-11;
  * minima of the load are a hundred times as wide. */
 static const double TRIAL_STEP = 1e-5;
 
-/* Factors of the stated error of a special point: of the change on a finer mesh, and of the
- * precision of Newton's method. */
-static const double SAFETY = 3.0, FLOOR = 10.0;
+const double PO_SAFETY = 3.0;
+
+/* Factor of the precision of Newton's method in the stated error of a special point. */
+static const double FLOOR = 10.0;
 
 /* Part of the change of the other quantity of a fold, approach or load, that is added to the error
  * of one: the change of one may be near zero by chance. In 235 scenes that was so for one fold of
  * 742; the changes of approach and load are usually equal within a factor 50. */
 static const double OF_OTHER = 0.02;
 
-/* A panel that spans more than TELLING_WAVES wavelengths. */
+/* A panel that is longer than a wave. The Legendre coefficients of such a panel do not show its
+ * error; with 2.5 wavelengths on a panel, halving it does not either. */
 static bool spans_waves(void *equilibrium, po_panel panel) {
   const po_equilibrium *e = equilibrium;
-  return e->surface->core_radius * po_panel_size(panel) >
-         TELLING_WAVES * po_initial_gap_detail(e->scene);
+  return e->surface->core_radius * po_panel_size(panel) > po_initial_gap_detail(e->scene);
 }
 
 /* Halvings of the panel with the kink of the profile. The error of that panel goes as the square of
@@ -165,7 +161,7 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_ki
 }
 
 double po_refine_error(double precision, double change, double value) {
-  return SAFETY * fabs(change) + FLOOR * precision * (1.0 + fabs(value));
+  return PO_SAFETY * fabs(change) + FLOOR * precision * (1.0 + fabs(value));
 }
 
 /* Corrects the values of a special point from the place at which it was located to the root of its

@@ -15,10 +15,10 @@
  * that no longer decreases is accepted as converged, and Broyden's method makes no update from it.
  */
 static const double STAGNATED = 1e-10;
-/* The same relative to the measured noise, and the precision that an iteration can reach. Noise of
- * stiff scenes is five to ten times the measured one; updates made of it amplify it, so that with
- * 5 the law (4, 10) at mu = 10,000 took three times as many points. */
-static const double STAGNATED_OF_NOISE = 20.0, PRECISION_OF_NOISE = 1.0;
+/* The same relative to the measured noise, which is the precision that an iteration can reach.
+ * Noise of stiff scenes is five to ten times the measured one; updates made of it amplify it, so
+ * that with 5 the law (4, 10) at mu = 10,000 took three times as many points. */
+static const double STAGNATED_OF_NOISE = 20.0;
 /* Changes of a gap, relative to 1 + H, at which an iteration is given up: larger than the error of
  * any prediction; and, after the first iteration, larger than any from which the iteration
  * converges. */
@@ -219,8 +219,7 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
     note_change(&p, newton_step(e, state, constraint, &left));
     e->last_change = p.now;
     ++e->work.newton_iterations;
-    if (is_converged(&p, fmax(e->precision, PRECISION_OF_NOISE * e->noise), stagnated(e)) ||
-        is_noise(e, &p)) {
+    if (is_converged(&p, fmax(e->precision, e->noise), stagnated(e)) || is_noise(e, &p)) {
       if (!(left < GREATEST_LEFT))
         return PO_NOT_CONVERGED;
       po_equilibrium_evaluate(e, state);
@@ -241,7 +240,7 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
   memset(solution, 0, (n + 1) * sizeof *solution);
   po_secant_begin(&e->secant);
   progress p = progress_begin();
-  const double least = unit ? precision : fmax(precision, PRECISION_OF_NOISE * e->noise);
+  const double least = unit ? precision : fmax(precision, e->noise);
   for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
     const po_status stopped = po_deadline_check();
     if (stopped)

@@ -7,8 +7,6 @@
 #include "po_law.h"
 #include "po_profile.h"
 
-enum { LAST_COEFFICIENTS = 3 };
-
 /* Excess of a parent panel below which it replaces its two halves. */
 static const double PARENT_MARGIN = 0.1;
 
@@ -22,7 +20,7 @@ static void decay(const double *value, double *last, double *largest) {
     for (int j = 0; j < PO_TABLE_ORDER; ++j)
       sum += legendre->coefficient[k][j] * value[j];
     *largest = fmax(*largest, fabs(sum));
-    if (k >= PO_TABLE_ORDER - LAST_COEFFICIENTS)
+    if (k >= PO_TABLE_ORDER - PO_LAST_COEFFICIENTS)
       *last = fmax(*last, fabs(sum));
   }
 }

@@ -22,6 +22,9 @@ typedef struct {
   po_allowance allowed;
 } po_resolution;
 
+/* The last Legendre coefficients of a panel, whose size shows the error of its polynomial. */
+enum { PO_LAST_COEFFICIENTS = 3 };
+
 /* The excess of a panel: its estimated error relative to the allowed one; above 1 the panel is too
  * coarse. Given: gap, H at the nodes of all panels. */
 double po_resolution_excess_of(const po_resolution *r, const po_panels *panels, const double *gap,

@@ -4,20 +4,15 @@
 #include <string.h>
 
 #include "po_barycentric.h"
+#include "po_corrector.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_march_parts.h"
 #include "po_root.h"
 
-/* As in the corrector: a mesh is made for this part of the allowed errors, and kept until they are
- * exceeded. */
-static const double MESH_MARGIN = 0.2;
-
 /* Allowed last Legendre coefficients of the history on a panel, relative to the allowed error of
  * the gap. */
 static const double OF_HISTORY = 0.03;
-
-enum { LAST_COEFFICIENTS = 3 };
 
 void po_march_interpolate(const po_panels *from, size_t from_n, const double *field, size_t count,
                           const po_surface *surface, double *to) {
@@ -69,7 +64,7 @@ static double shape_gap(void *data, double r) {
 static double last_coefficients(const double *value) {
   const po_legendre *legendre = &po_panel_table_get()->legendre;
   double last = 0.0;
-  for (int k = PO_TABLE_ORDER - LAST_COEFFICIENTS; k < PO_TABLE_ORDER; ++k) {
+  for (int k = PO_TABLE_ORDER - PO_LAST_COEFFICIENTS; k < PO_TABLE_ORDER; ++k) {
     double sum = 0.0;
     for (int j = 0; j < PO_TABLE_ORDER; ++j)
       sum += legendre->coefficient[k][j] * value[j];
@@ -105,8 +100,8 @@ po_status po_march_remesh(po_march *m) {
   po_equilibrium *e = m->e;
   po_panels *const draft = e->surface->draft;
   po_resolution margin = m->resolution;
-  margin.allowed.gap *= MESH_MARGIN;
-  margin.allowed.load *= MESH_MARGIN;
+  margin.allowed.gap *= PO_MESH_MARGIN;
+  margin.allowed.load *= PO_MESH_MARGIN;
   shape_field data = {m, 0, 0};
   po_panels_copy(po_surface_panels(e->surface), draft);
   po_status status = po_resolution_panels(&margin, &(po_gap_field){shape_gap, &data}, draft);

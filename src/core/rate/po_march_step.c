@@ -81,12 +81,6 @@ static po_status factorize(po_march *m, const double *state) {
   return po_corrector_factorize(e, state, m->border);
 }
 
-/* As in the corrector: where the iteration is slow but near a solution, the Jacobian is factorised
- * there. */
-static const double NEAR = 0.1;
-
-enum { MOST_RENEWALS = 2 };
-
 /* Newton's method from the guess, with the present factors or new ones. Returned: m->solved. */
 static po_status newton(po_march *m, double base) {
   po_equilibrium *e = m->e;
@@ -97,7 +91,9 @@ static po_status newton(po_march *m, double base) {
     if (fresh && (status = factorize(m, m->guess)))
       break;
     status = po_equilibrium_correct_to(e, m->solved, &constraint);
-    for (int k = 0; status == PO_NOT_CONVERGED && e->last_change < NEAR && k < MOST_RENEWALS; ++k) {
+    for (int k = 0;
+         status == PO_NOT_CONVERGED && e->last_change < PO_NEAR_SOLUTION && k < PO_MOST_RENEWALS;
+         ++k) {
       status = factorize(m, m->solved);
       if (!status)
         status = po_equilibrium_correct_to(e, m->solved, &constraint);

@@ -51,7 +51,7 @@ typedef struct {
 } jkr;
 
 /* Contact radii of the search, relative to the radius at which the initial gap is the smallest and
- * the largest; and the factor between them. */
+ * the largest; and the factor between radii that are tried. */
 static const double SMALLEST_GAP = 1e-6, LARGEST_GAP = 1e9, NEXT_RADIUS = 1.05;
 
 /* Given: the factor of the work of adhesion in the adhesive term. */
@@ -175,9 +175,6 @@ static double averaging_error(const po_scene *scene, double r) {
   return error;
 }
 
-/* Factor between the radii that are tried. */
-static const double LARGER = 1.05;
-
 static double end_of_waves(const po_scene *scene, double from) {
   if (po_profile_is_sphere(&scene->profile) && po_scene_waves(scene) == 1)
     return sqrt(2.0 * scene->radius * averaging_gap(scene));
@@ -186,7 +183,7 @@ static double end_of_waves(const po_scene *scene, double from) {
   const double allowed = AVERAGING_LOSS * po_scene_scales(scene).load;
   double r = from;
   while (averaging_error(scene, r) > allowed)
-    r *= LARGER;
+    r *= NEXT_RADIUS;
   return r;
 }
 

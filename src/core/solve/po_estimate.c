@@ -8,6 +8,7 @@
 #include "po_initial_gap.h"
 #include "po_linear.h"
 #include "po_quadrature.h"
+#include "po_refine.h"
 #include "po_solution.h"
 #include "po_solve_parts.h"
 
@@ -26,9 +27,6 @@ double po_estimate_miss(const po_request *request) {
   const double part = request->want & PO_WANT_HYSTERESIS ? MISS_OF_LOOPS : MISS_OF_TOLERANCE;
   return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE, part * request->mesh.tolerance);
 }
-
-/* Factor of the change of an energy on finer panels in its error. */
-static const double OF_CHANGE = 3.0;
 
 /* Error of the energy of a rigid scene, see po_rigid_energy. */
 static const double RIGID = 1e-10;
@@ -188,7 +186,7 @@ static double of_panels(const po_scene *scene, const po_solution *p) {
     if (k + 1 == p->panels->count && isfinite(scene->outer_radius))
       lacking += of_end(scene, &here);
   }
-  return OF_CHANGE * 2.0 / scene->radius * (change + lacking);
+  return PO_SAFETY * 2.0 / scene->radius * (change + lacking);
 }
 
 double po_energy_error(const po_request *request, const po_branch_point *p) {
@@ -256,9 +254,9 @@ static void estimate_energy(const po_request *request, const po_branch_point *p,
   if (p->finer && p->best) {
     from = po_solution_approach(p->best);
     energy = p->best->energy;
-    change = OF_CHANGE * change_of_energy(from, p->best->load, energy, p->finer);
+    change = PO_SAFETY * change_of_energy(from, p->best->load, energy, p->finer);
     e->traced_energy_error =
-        OF_CHANGE * change_of_energy(p->approach, p->load, p->energy, p->finer);
+        PO_SAFETY * change_of_energy(p->approach, p->load, p->energy, p->finer);
   }
   point->energy = energy + point->load * (point->approach - from);
   point->energy_error = change + fabs(point->load) * point->approach_error +

@@ -13,6 +13,7 @@
 #include "po_scales.h"
 #include "po_solve.h"
 #include "po_solve_parts.h"
+#include "po_special_point.h"
 
 /* If the repulsion of the central crest is PUSH_PER_LOAD times the load plus PUSH_BEYOND_LOAD, it
  * exceeds the load and all attraction. For Lennard-Jones the attraction is at most the term
@@ -104,17 +105,17 @@ static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-4;
  * usually too large. */
 static const double LOAD_OF_TOLERANCE = 30.0;
 
-/* Precision of Newton's method, relative to 1 + H, divided by the tolerance; and its greatest
- * value, which the location of folds requires. */
-static const double PRECISION_OF_TOLERANCE = 1e-4, COARSEST_PRECISION = 1e-9;
+/* Precision of Newton's method, relative to 1 + H, divided by the tolerance. */
+static const double PRECISION_OF_TOLERANCE = 1e-4;
 
 po_allowance po_solve_allowance(double tolerance) {
   return (po_allowance){fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(tolerance)),
                         fmin(COARSEST_ERROR, LOAD_OF_TOLERANCE * tolerance)};
 }
 
+/* Never coarser than special points are located. */
 double po_solve_precision(double tolerance) {
-  return fmax(PO_FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
+  return fmax(PO_FINEST_PRECISION, fmin(PO_LOCATED, PRECISION_OF_TOLERANCE * tolerance));
 }
 
 /* -- Nodes and memory -- */

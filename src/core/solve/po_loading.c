@@ -5,12 +5,10 @@
 
 #include "po_collector.h"
 #include "po_loop.h"
+#include "po_refine.h"
 #include "po_solve_parts.h"
 #include "po_staircase.h"
 
-/* If unloading leads to a smaller approach than that at which the trace began, the trace is
- * repeated from this multiple of it. */
-static const double START_GROWTH = 1.5;
 /* Where the trace begins at the farthest for a soft spring, eps. A sphere under Lennard-Jones
  * forces is attracted by 2e-10 pi w R there; what other laws and profiles leave is in the stated
  * error. */
@@ -66,10 +64,6 @@ static po_path_error state_of_special_point(const po_request *request, const po_
   return (po_path_error){e.approach + miss, e.load + miss};
 }
 
-/* Factor of the difference of energies by interpolation where a jump ends in the error of an energy
- * lost. */
-static const double OF_INTERPOLATED = 3.0;
-
 /* Where jumps begin: the errors of approach and load, and of the energy. */
 typedef struct {
   po_path_error place;
@@ -89,7 +83,7 @@ static double loss_error(const po_request *request, const beginning *from, po_co
   const double precision = po_solve_precision(request->mesh.tolerance);
   if (isnan(loss->energy)) /* unbounded */
     return NAN;
-  return loss->moved * place + loss->of_held + OF_INTERPOLATED * loss->doubt.interpolated +
+  return loss->moved * place + loss->of_held + PO_SAFETY * loss->doubt.interpolated +
          loss->doubt.of_points + precision * loss->size + (double)loss->jumps * from->energy;
 }
 
@@ -272,7 +266,7 @@ static void read_loop(const po_collector *reader, const po_path *path, po_loop *
   read_rows(o, loop);
   loop->work_error = loop->energy_lost_error + fabs(loop->work - loop->energy_lost);
   loop->row_area_error = fabs(loop->row_area_error) + loop->work_error;
-  loop->energy_error = energy + OF_INTERPOLATED * loop->interpolated;
+  loop->energy_error = energy + PO_SAFETY * loop->interpolated;
   loop->pull_off_error = state_of_special_point(request, reader->result, &loop->pull_off);
 }
 
@@ -301,7 +295,7 @@ static bool begins_late(const po_request *request, const po_path *path, double *
   const double least = least_approach(path, request->stiffness);
   if (!(request->want & paths) || path->count == 0 || least >= path->point[0].approach)
     return false;
-  *begin = START_GROWTH * least;
+  *begin = PO_FARTHER * least;
   return true;
 }
 

@@ -70,9 +70,7 @@ enum { MOST_TRACES = 3 };
  * 4,000, of which greater ranges need 1 to 10 s of 6 to 20. */
 enum { LONG_TRACE = 1000 };
 
-/* If the contact reaches the end of the core of an unbounded surface, the trace is repeated with a
- * core larger by this factor. */
-static const double CORE_GROWTH = 1.5;
+const double PO_FARTHER = 1.5;
 
 enum { MOST_MESHES = 4 };
 
@@ -171,7 +169,7 @@ static po_status attempt(const po_request *request, size_t most_points, po_kept_
     if (!status && a.unmet_folds > 0)
       excess = fmax(excess, UNKNOWN_EXCESS);
     if (status == PO_OUT_OF_DOMAIN || (!status && needs_larger_domain(request, result))) {
-      a.core *= CORE_GROWTH;
+      a.core *= PO_FARTHER;
       ++meshes;
     } else if (excess > 0.0 && traces < MOST_TRACES) {
       a.tolerance *= SHARPER / excess;
