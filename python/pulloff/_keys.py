@@ -66,4 +66,6 @@ class Keys(TypedDict, total=False):
     unload_speed_m_per_s: Number
     profile_approach: Number
     profile_approach_m: Number
+    profile_load: Number
+    profile_load_n: Number
     want: Names

@@ -11,10 +11,10 @@ typedef struct {
   po_scene_options scene;
   po_request request;
   const char *curve, *profile, *staircase, *loop, *history; /* files; NULL: none */
-  const char *smoothed;                           /* file of the smoothed profile; NULL: none */
-  const char *plot, *run;                         /* figure, and folder of records; NULL: none */
-  const char *theory;                             /* the one to be compared; NULL: all */
-  int tables;        /* that are written to standard output: see po_solve_line_end */
+  const char *smoothed;   /* file of the smoothed profile; NULL: none */
+  const char *plot, *run; /* figure, and folder of records; NULL: none */
+  const char *theory;     /* the one to be compared; NULL: all */
+  int tables;             /* that are written to standard output: see po_solve_line_end */
   bool json, warned; /* the latter: whether _end need not warn of lengths that look like metres */
 } po_solve_line;
 
@@ -25,6 +25,8 @@ typedef struct {
   PO_TAKEN("want", po_solve_line, request.want, po_solve_line_take_want), \
   PO_TEXT("profile-approach", po_solve_line, scene.given.text[PO_KEY_PROFILE_APPROACH], "a finite number"), \
   PO_TEXT("profile-approach-m", po_solve_line, scene.given.text[PO_KEY_PROFILE_APPROACH_M], "a finite number"), \
+  PO_TEXT("profile-load", po_solve_line, scene.given.text[PO_KEY_PROFILE_LOAD], "a finite number"), \
+  PO_TEXT("profile-load-n", po_solve_line, scene.given.text[PO_KEY_PROFILE_LOAD_N], "a finite number"), \
   PO_TEXT("curve", po_solve_line, curve, "the name of a file"), \
   PO_TEXT("profile-csv", po_solve_line, profile, "the name of a file"), \
   PO_TEXT("staircase", po_solve_line, staircase, "the name of a file"), \

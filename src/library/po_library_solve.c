@@ -204,6 +204,7 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
   input.preload = request.preload;
   po_use others[] = {{"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA},
                      {"", po_texts_has(&given, PO_KEY_PROFILE_APPROACH), false},
+                     {"", po_texts_has(&given, PO_KEY_PROFILE_LOAD), false},
                      {"want", (request.want & ~curve) != 0, false},
                      {"", po_texts_has(&given, PO_KEY_LOAD), takes_state},
                      {"", po_texts_has(&given, PO_KEY_APPROACH),
@@ -211,8 +212,9 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
                      {"", po_texts_has(&given, PO_KEY_CONTACT_RADIUS),
                       form->variable == PO_FORM_AT_CONTACT_RADIUS}};
   po_texts_name(&given, PO_KEY_PROFILE_APPROACH, others[1].name);
+  po_texts_name(&given, PO_KEY_PROFILE_LOAD, others[2].name);
   for (int k = 0; k < 3; ++k)
-    po_texts_name(&given, PO_KEY_LOAD + k, others[3 + k].name);
+    po_texts_name(&given, PO_KEY_LOAD + k, others[4 + k].name);
   if (key >= 0)
     set_state(&input, form, po_key_target(key),
               po_texts_number(&given, po_key_target(key), &request.units));

@@ -417,10 +417,35 @@ def test_an_approach_of_the_profile_before_and_beyond_the_branch():
     assert len(early["profile"]) > 10 and abs(early["profile_approach"] + 7) < 1e-9 and early["start"] < -7
     late = "solve --profile-approach 5"
     assert expect(0, "", late).count(r"^profile  none: the trace does not pass approach 5, see --approach-end$") == 1
-    expect(2, "pulloff: late.csv is not written: the trace does not pass the approach of the profile, *", f"{late} --profile-csv late.csv")
+    expect(2, "pulloff: late.csv is not written: the trace does not pass the approach or load of the profile, *", f"{late} --profile-csv late.csv")
     assert not pathlib.Path("late.csv").exists()
     expect(2, "pulloff: the result has no curve, profile or staircase to plot", f"plot --want profile {late.removeprefix('solve ')} a.svg")
     assert document(late + " --approach-end 6")["profile_approach"] == pytest.approx(5, abs=1e-9)
+
+
+def test_the_profile_at_a_load():
+    # The load falls where a crest jumps into contact under compression, so that it is 5 three times; loading at given
+    # load meets the first.
+    steep = "solve --tabor 3 --amplitude 6 --wavelength 30 --outer-radius 100 --want curve,profile --preload-load 8"
+    found = document(steep + " --profile-load 5")
+    points = found["curve"]
+    [first] = [k for k in range(1, len(points)) if points[k]["load"] > 5 - 1e-8][:1]
+    assert points[first - 1]["approach"] < found["profile_approach"] <= points[first]["approach"]
+    assert abs(points[first]["load"] - 5) < 1e-8 and found["profile_approach"] == points[first]["approach"]
+    assert any(point["load"] < 4.9 for point in points[first:])
+    at = document(f"{steep} --profile-approach {found['profile_approach']!r}")
+    assert len(at["profile"]) > 100 and at["profile_approach"] == pytest.approx(found["profile_approach"], abs=1e-9)
+    late = "solve --profile-load 5"
+    assert expect(0, "", late).count(r"^profile  none: the trace does not pass load 5, see --approach-end$") == 1
+    assert document(late + " --preload-load 5")["profile"]
+    expect(2, "pulloff: --profile-load is inf: expected a finite number", "solve --profile-load inf")
+    expect(2, "pulloff: profile_load is 2 beside profile_approach: expected one of both", "solve --profile-load 2 --profile-approach 1")
+    si = "--from-physical --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --modulus-pa 1e9"
+    expect(2, "pulloff: --profile-load is 1: expected --profile-load-n, *", f"solve {si} --profile-load 1")
+    newtons = 0.05 * math.pi * 0.05 * 1e-7
+    ours = document(f"solve {si} --profile-load-n {newtons!r} --want curve")
+    assert any(abs(point["load_n"] - newtons) < 1e-9 * newtons and point["approach_m"] == ours["physical"]["profile_approach_m"]
+               for point in ours["physical"]["curve"])
 
 
 def test_a_parabola_is_no_sphere_in_a_wide_contact():

@@ -133,6 +133,8 @@ TEST(wrong_scenes_are_refused) {
        "approach_end is 1: expected approach_end_m, as the scene is in SI units"},
       {TIP "profile_approach 1",
        "profile_approach is 1: expected profile_approach_m, as the scene is in SI units"},
+      {TIP "profile_load 1",
+       "profile_load is 1: expected profile_load_n, as the scene is in SI units"},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
     ck_assert_int_eq(solve_words(wrong[i].words, &result, &message), PULLOFF_BAD_INPUT);
@@ -340,6 +342,8 @@ TEST(closed_forms_are_evaluated) {
       {"bradley", "want hysteresis", none, none, "want has no effect on theory bradley: "},
       {"jkr", "profile_approach -1", none, none,
        "profile_approach has no effect on theory jkr: expected only "},
+      {"jkr", "profile_load 1", none, none,
+       "profile_load has no effect on theory jkr: expected only "},
       {"jkr",
        "profile_approach_m 1e-9 work_j_per_m2 0.05 distance_m 3e-10 modulus_pa 1e9 radius_m 1e-7",
        none, none, "profile_approach_m has no effect on theory jkr: expected only "},

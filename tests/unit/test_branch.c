@@ -222,8 +222,11 @@ static void keep_nothing(void *data, size_t place) {
  * third passage. */
 TEST(an_approach_that_a_fold_hides_is_met_before_and_after_it) {
   const double station[PO_STATIONS] = {0.29, NAN};
-  const po_interval interval = {
-      .solve = solve_parabola, .keep = keep_nothing, .station = station, .end = 0.2996};
+  const po_interval interval = {.solve = solve_parabola,
+                                .keep = keep_nothing,
+                                .station = station,
+                                .station_load = NAN,
+                                .end = 0.2996};
   po_sample from, to;
   po_events found;
   solve_parabola(NULL, 0.0, false, &from);
@@ -233,6 +236,36 @@ TEST(an_approach_that_a_fold_hides_is_met_before_and_after_it) {
   static const po_event_kind KINDS[] = {PO_AT_STATION, PO_AT_END, PO_OF_APPROACH, PO_AT_END,
                                         PO_AT_STATION};
   ck_assert_uint_eq(found.count, 5);
+  for (size_t k = 0; k < found.count; ++k) {
+    ck_assert_double_eq_tol(found.list[k].root, EXPECTED[k], 1e-8);
+    ck_assert_int_eq(found.list[k].of, KINDS[k]);
+  }
+}
+/* The same with the load as the parabola, and the approach as the parameter. */
+static po_status solve_crest(void *data, double at, bool roughly, po_sample *sample) {
+  po_sample s;
+  const po_status status = solve_parabola(data, at, roughly, &s);
+  *sample =
+      (po_sample){.at = at, .value = {s.value[1], s.value[0]}, .rate = {s.rate[1], s.rate[0]}};
+  return status;
+}
+
+TEST(a_load_that_a_maximum_hides_is_met_before_and_after_it) {
+  const double station[PO_STATIONS] = {0.46, NAN};
+  const po_interval interval = {.solve = solve_crest,
+                                .keep = keep_nothing,
+                                .station = station,
+                                .station_load = 0.2984,
+                                .end = NAN};
+  po_sample from, to;
+  po_events found;
+  solve_crest(NULL, 0.0, false, &from);
+  solve_crest(NULL, 1.0, false, &to);
+  ck_assert_int_eq(po_events_find(&interval, &from, &to, &found), PO_OK);
+  static const double EXPECTED[] = {0.41, 0.45, 0.46, 0.49};
+  static const po_event_kind KINDS[] = {PO_AT_STATION_LOAD, PO_OF_LOAD, PO_AT_STATION,
+                                        PO_AT_STATION_LOAD};
+  ck_assert_uint_eq(found.count, 4);
   for (size_t k = 0; k < found.count; ++k) {
     ck_assert_double_eq_tol(found.list[k].root, EXPECTED[k], 1e-8);
     ck_assert_int_eq(found.list[k].of, KINDS[k]);

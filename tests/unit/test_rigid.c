@@ -179,6 +179,44 @@ TEST(trace_finds_pull_off_and_station) {
   ck_assert_int_eq(po_rigid_trace(&scene, -5.0, &options), PO_BAD_INPUT);
 }
 
+typedef struct {
+  double approach[4], load[4];
+  int count;
+} passages;
+
+static bool note_passage(const po_branch_point *p, void *data) {
+  passages *s = data;
+  if (p->kind == PO_POINT_STATION_LOAD) {
+    ck_assert_int_lt(s->count, 4);
+    s->approach[s->count] = p->approach;
+    s->load[s->count++] = p->load;
+  }
+  return false;
+}
+
+/* Eq 23 has each load above -2 twice below 0, and the step with the minimum has -1.999 twice. */
+TEST(trace_passes_a_load_on_both_sides_of_the_minimum) {
+  static const double LOAD[] = {-1.237, -1.999};
+  const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
+  for (int k = 0; k < 2; ++k) {
+    passages s = {.count = 0};
+    po_continuation_options options = po_continuation_options_default();
+    options.visit = note_passage;
+    options.data = &s;
+    options.station_load = LOAD[k];
+    options.end = 0.385;
+    ck_assert_int_eq(po_rigid_trace(&scene, -5.0, &options), PO_OK);
+    ck_assert_int_eq(s.count, 2);
+    ck_assert_double_lt(s.approach[0], 0.0);
+    ck_assert_double_gt(s.approach[1], 0.0);
+    for (int j = 0; j < 2; ++j) {
+      const double gap = 1.0 - s.approach[j];
+      const double bradley = -8.0 / 3.0 * (pow(gap, -2.0) - 0.25 * pow(gap, -8.0));
+      ck_assert_double_eq_tol(s.load[j], LOAD[k], 1e-9);
+      ck_assert_double_eq_tol(bradley, LOAD[k], 1e-9);
+    }
+  }
+}
 TEST(scene_is_solved_as_rigid_only_at_negligible_elasticity) {
   po_scene scene = po_scene_default();
   scene.tabor = 1e-4; /* the value that the paper uses for its rigid limit */

@@ -156,7 +156,7 @@ static void note_load(void *data, size_t number, const po_profile_point *profile
   l->count = number + 1;
 }
 
-/* At the pull-off, at a given approach, and at every point of the curve. */
+/* At the pull-off, at a given approach or load, and at every point of the curve. */
 TEST(profile_is_an_equilibrium) {
   po_request request = request_of(1.3, 0.7, 23.85, 100.0);
   request.want = PO_WANT_PROFILE;
@@ -169,6 +169,11 @@ TEST(profile_is_an_equilibrium) {
   request.profile_approach = -1.385;
   ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.profile_approach, -1.385, 1e-10);
+  po_result_clear(&o);
+  request.profile_approach = NAN;
+  request.profile_load = 0.385;
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(load_of_profile(&request.scene, o.profile, o.profile_count), 0.385, 2e-3);
   po_result_clear(&o);
   static loads shown;
   shown.scene = &request.scene;

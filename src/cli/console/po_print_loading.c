@@ -176,12 +176,27 @@ static void print_no_loop(const po_request *request, const po_result *o) {
          o->ended.approach * u.length, u.of_length, o->ended.load * u.load, u.of_load);
 }
 
+/* Says that the trace does not pass the approach or the load at which the profile is wanted. */
+static void print_no_profile(const po_request *request) {
+  greatest g = {0};
+  if (isfinite(request->profile_approach))
+    po_si_take(&g.length, request->profile_approach);
+  if (isfinite(request->profile_load))
+    po_si_take(&g.load, request->profile_load);
+  const units u = units_of(request, &g);
+  if (isfinite(request->profile_approach))
+    printf("profile  none: the trace does not pass approach %.8g%s, see --approach-end\n",
+           request->profile_approach * u.length, u.of_length);
+  else if (isfinite(request->profile_load))
+    printf("profile  none: the trace does not pass load %.8g%s, see --approach-end\n",
+           request->profile_load * u.load, u.of_load);
+}
+
 /* The results of --want that are too long for the terminal: their size, and which option writes
  * them. */
 static void print_wanted(const po_request *request, const po_result *o) {
   greatest of_approach = {0}, of_annuli = {0};
-  po_si_take(&of_approach.length,
-             o->profile_count ? o->profile_approach : request->profile_approach);
+  po_si_take(&of_approach.length, o->profile_approach);
   for (size_t k = 0; k < o->annuli.held_count; ++k)
     po_si_take(&of_annuli.length, o->annuli.held[k].outer);
   const units at = units_of(request, &of_approach), annuli = units_of(request, &of_annuli);
@@ -195,9 +210,7 @@ static void print_wanted(const po_request *request, const po_result *o) {
   if (!(request->want & PO_WANT_PROFILE))
     return;
   if (o->profile_count == 0) {
-    if (isfinite(request->profile_approach))
-      printf("profile  none: the trace does not pass approach %.8g%s, see --approach-end\n",
-             request->profile_approach * at.length, at.of_length);
+    print_no_profile(request);
     return;
   }
   printf("profile  %zu %s at approach %.8g%s; --profile FILE or --json writes them\n",

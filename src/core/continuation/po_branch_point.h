@@ -13,7 +13,8 @@ typedef enum {
   PO_POINT_APPROACH_MIN, /* fold: minimum of the approach */
   PO_POINT_LOAD_MAX,
   PO_POINT_LOAD_MIN,
-  PO_POINT_STATION, /* an approach that the options list */
+  PO_POINT_STATION,      /* an approach that the options list */
+  PO_POINT_STATION_LOAD, /* the load that the options name */
 } po_point_kind;
 
 /* Number of approaches that the options can list. */

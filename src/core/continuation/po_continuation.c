@@ -19,6 +19,7 @@ const double PO_STEP_TANGENT = 1e-6;
 
 po_continuation_options po_continuation_options_default(void) {
   return (po_continuation_options){.station = {NAN, NAN},
+                                   .station_load = NAN,
                                    .end = NAN,
                                    .begin = NAN,
                                    .largest_sagitta = INFINITY,
@@ -243,6 +244,7 @@ po_status po_continuation_reverse(po_continuation *t, po_branch_visit visit_back
   t->options.visit = visit_back;
   t->options.data = data;
   t->options.station[0] = t->options.station[1] = t->options.end = NAN;
+  t->options.station_load = NAN;
   t->step = FIRST_STEP;
   t->error_factor = NAN;
   t->has_previous = t->ended = false;

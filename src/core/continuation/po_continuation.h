@@ -21,7 +21,8 @@
 typedef struct {
   /* approaches, eps, at which a point is computed each time the branch passes them; NAN: none */
   double station[PO_STATIONS];
-  double end;   /* approach, eps, at which the trace ends if it is met; NAN: none */
+  double station_load; /* the same for a load, pi w R */
+  double end;          /* approach, eps, at which the trace ends if it is met; NAN: none */
   double begin; /* approach, eps, at which the trace starts, or farther out, if it is below the one
                    that the solver chooses; NAN: none */
   double

@@ -265,6 +265,7 @@ static po_status find_events(po_continuation *t) {
                                 .keep = keep_inner,
                                 .precision = t->c.e->precision,
                                 .station = t->options.station,
+                                .station_load = t->options.station_load,
                                 .end = t->options.end};
   const po_sample from = po_corrector_sample(&t->current, &t->current),
                   to = po_corrector_sample(&t->current, &t->next);

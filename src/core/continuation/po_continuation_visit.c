@@ -78,7 +78,7 @@ static void judge(po_continuation *t, const po_event *ev, po_branch_point *point
 /* The kind of the point of an event. */
 static po_point_kind event_point(const po_event *ev) {
   if (ev->of > PO_OF_LOAD)
-    return PO_POINT_STATION;
+    return ev->of == PO_AT_STATION_LOAD ? PO_POINT_STATION_LOAD : PO_POINT_STATION;
   const bool rising = ev->low.rate[ev->of] > 0.0;
   if (ev->of == PO_OF_APPROACH)
     return rising ? PO_POINT_APPROACH_MAX : PO_POINT_APPROACH_MIN;

@@ -23,12 +23,24 @@ typedef struct {
   bool ended;
 } rigid_tracer;
 
-static double rate_at(double approach, const void *data) {
-  const rigid_tracer *t = data;
-  double load = 0.0, rate = 0.0;
-  const po_status status = po_rigid_load(t->scene, approach, &load, &rate);
+static void load_at(const rigid_tracer *t, double approach, double *load, double *rate) {
+  *load = *rate = 0.0;
+  const po_status status = po_rigid_load(t->scene, approach, load, rate);
   *t->status = *t->status ? *t->status : status;
+}
+
+static double rate_at(double approach, const void *data) {
+  double load, rate;
+  load_at(data, approach, &load, &rate);
   return rate;
+}
+
+/* The load less that of the station. */
+static double beyond_load(double approach, const void *data) {
+  const rigid_tracer *t = data;
+  double load, rate;
+  load_at(t, approach, &load, &rate);
+  return load - t->options->station_load;
 }
 
 /* Computes a point of the loading curve. */
@@ -61,18 +73,32 @@ static int by_approach(const void *left, const void *right) {
   return (a > b) - (a < b);
 }
 
+/* The station of the load between two approaches without an extremum between them, if there is one.
+ * Returned: the number of stations. */
+static size_t find_load(rigid_tracer *t, double from, double to, between *found) {
+  if (isnan(t->options->station_load) || !(beyond_load(from, t) * beyond_load(to, t) < 0.0))
+    return 0;
+  *found = (between){po_root(beyond_load, t, from, to), PO_POINT_STATION_LOAD};
+  return 1;
+}
+
 /* Visits the stations and the extremum of the load between two points, in their order. */
 static void visit_between(rigid_tracer *t, const po_branch_point *from, const po_branch_point *to) {
-  between found[PO_STATIONS + 1];
+  between found[PO_STATIONS + 3];
   size_t count = 0;
+  double before = from->approach; /* the extremum, if there is one */
   for (size_t k = 0; k < PO_STATIONS; ++k) {
     const double station = t->options->station[k];
     if (station > from->approach && station <= to->approach)
       found[count++] = (between){station, PO_POINT_STATION};
   }
-  if (from->load_rate * to->load_rate < 0.0)
-    found[count++] = (between){po_root(rate_at, t, from->approach, to->approach),
-                               from->load_rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
+  if (from->load_rate * to->load_rate < 0.0) {
+    before = po_root(rate_at, t, from->approach, to->approach);
+    count += find_load(t, from->approach, before, &found[count]);
+    found[count++] =
+        (between){before, from->load_rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
+  }
+  count += find_load(t, before, to->approach, &found[count]);
   qsort(found, count, sizeof *found, by_approach);
   for (size_t k = 0; k < count; ++k) {
     const po_branch_point point = solve(t, found[k].approach, found[k].kind);

@@ -23,12 +23,23 @@ static const double SUSPECT = 0.4;
  * next interval. Without this exception intervals are halved down to the distance of that point. */
 static const double VERTEX_OUTSIDE = 0.5;
 
+/* The quantity that has a given value, or an extremum, at an event. */
+static po_event_kind quantity_of(po_event_kind of) {
+  return of == PO_OF_LOAD || of == PO_AT_STATION_LOAD ? PO_OF_LOAD : PO_OF_APPROACH;
+}
+
+/* The value that the quantity has at a station or at the end of the trace; NAN: it is not set. */
+static double value_asked(const po_interval *interval, po_event_kind of) {
+  if (of == PO_AT_END)
+    return interval->end;
+  return of == PO_AT_STATION_LOAD ? interval->station_load : interval->station[of - PO_AT_STATION];
+}
+
 /* The function whose root is the event; NaN for a station or an end that is not set. */
 static double event_value(const po_interval *interval, po_event_kind of, const po_sample *s) {
   if (of <= PO_OF_LOAD)
     return s->rate[of];
-  const double at = of == PO_AT_END ? interval->end : interval->station[of - PO_AT_STATION];
-  return s->value[PO_OF_APPROACH] - at;
+  return s->value[quantity_of(of)] - value_asked(interval, of);
 }
 
 /* The greatest change of a quantity by the rates at two samples. */
@@ -93,7 +104,7 @@ typedef struct {
 /* The function of the event, evaluated on the cubic between two samples. */
 static double event_on_cubic(const cubic_event *c, double at) {
   const po_sample *a = c->a, *b = c->b;
-  const po_event_kind q = c->of <= PO_OF_LOAD ? c->of : PO_OF_APPROACH;
+  const po_event_kind q = quantity_of(c->of);
   const double x = at - a->at, h = b->at - a->at;
   po_sample s;
   s.value[q] = po_hermite_value(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
@@ -124,7 +135,7 @@ bool po_special_point_is_close(const po_sample *sample, po_event_kind of, double
 
 /* Whether the last sample of an event is as close to it as the precision of solutions allows. */
 static bool is_close(const po_interval *interval, const po_event *ev) {
-  const double value = fabs(ev->here.value[PO_OF_APPROACH]);
+  const double value = fabs(ev->here.value[quantity_of(ev->of)]);
   if (ev->of > PO_OF_LOAD)
     return fabs(event_value(interval, ev->of, &ev->here)) <= interval->precision * (1.0 + value);
   return po_special_point_is_close(&ev->here, ev->of, ev->left, interval->precision);
@@ -166,19 +177,20 @@ static po_status locate(const po_interval *interval, po_event *ev) {
   return PO_NOT_CONVERGED;
 }
 
-/* Adds the stations that are passed twice between two samples, before and after a fold: both
- * samples are on one side of the station, the fold is on the other. */
-static po_status add_hidden(const po_interval *interval, const po_event *fold, po_events *found) {
+/* Adds the stations that are passed twice between two samples, before and after an extremum of
+ * their quantity: both samples are on one side of the station, the extremum is on the other. */
+static po_status add_hidden(const po_interval *interval, const po_event *extremum,
+                            po_events *found) {
   po_status status = PO_OK;
   for (po_event_kind q = PO_AT_STATION; q <= PO_AT_END && !status; ++q) {
-    const double low = event_value(interval, q, &fold->low),
-                 high = event_value(interval, q, &fold->high),
-                 turn = event_value(interval, q, &fold->here);
-    if (!(low * high > 0.0 && low * turn < 0.0))
+    const double low = event_value(interval, q, &extremum->low),
+                 high = event_value(interval, q, &extremum->high),
+                 turn = event_value(interval, q, &extremum->here);
+    if (quantity_of(q) != extremum->of || !(low * high > 0.0 && low * turn < 0.0))
       continue;
-    status = add_event(q, &fold->low, &fold->here, found);
+    status = add_event(q, &extremum->low, &extremum->here, found);
     if (!status)
-      status = add_event(q, &fold->here, &fold->high, found);
+      status = add_event(q, &extremum->here, &extremum->high, found);
   }
   return status;
 }
@@ -195,9 +207,9 @@ po_status po_events_find(const po_interval *interval, const po_sample *from, con
   size_t k = 0;
   for (; k < found->count && !status; ++k)
     status = locate(interval, &found->list[k]);
-  for (size_t fold = 0, folds = k; fold < folds && !status; ++fold)
-    if (found->list[fold].of == PO_OF_APPROACH)
-      status = add_hidden(interval, &found->list[fold], found);
+  for (size_t j = 0, located = k; j < located && !status; ++j)
+    if (found->list[j].of <= PO_OF_LOAD)
+      status = add_hidden(interval, &found->list[j], found);
   for (; k < found->count && !status; ++k)
     status = locate(interval, &found->list[k]);
   qsort(found->list, found->count, sizeof *found->list, by_root);

@@ -13,7 +13,8 @@ typedef enum {
   PO_OF_APPROACH,
   PO_OF_LOAD,
   PO_AT_STATION, /* the first of PO_STATIONS stations */
-  PO_AT_END = PO_AT_STATION + PO_STATIONS,
+  PO_AT_STATION_LOAD = PO_AT_STATION + PO_STATIONS,
+  PO_AT_END,
 } po_event_kind;
 
 /* Approach and load of a point, and their rates, as functions of a parameter that grows along the
@@ -59,6 +60,7 @@ typedef struct {
   void (*keep)(void *data,
                size_t place); /* keeps the last solution under an index, replacing an earlier one */
   const double *station;      /* PO_STATIONS approaches, eps; NAN: none */
+  double station_load;        /* pi w R; NAN: none */
   double precision; /* error of approach and load of a solution, relative to 1 + their modulus */
   double end;       /* approach at which the trace ends, eps; NAN: none */
 } po_interval;

@@ -27,6 +27,7 @@ po_request po_load_unit_request(const po_request *request) {
   r.scene.radius *= unit;
   r.scene.tabor *= po_cbrt(unit);
   r.preload.load /= unit;
+  r.profile_load /= unit;
   r.stiffness /= unit;
   return r;
 }

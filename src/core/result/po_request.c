@@ -9,6 +9,7 @@ po_request po_request_default(void) {
                       .approach_start = NAN,
                       .approach_end = NAN,
                       .profile_approach = NAN,
+                      .profile_load = NAN,
                       .preload = {NAN, NAN},
                       .stiffness = NAN,
                       .unload_speed = NAN,
@@ -139,6 +140,12 @@ po_status po_request_check(const po_request *request) {
   if (isinf(request->profile_approach))
     return po_fail(PO_BAD_INPUT, "profile_approach is %g: expected a finite number",
                    request->profile_approach);
+  if (isinf(request->profile_load))
+    return po_fail(PO_BAD_INPUT, "profile_load is %g: expected a finite number",
+                   request->profile_load);
+  if (!isnan(request->profile_approach) && !isnan(request->profile_load))
+    return po_fail(PO_BAD_INPUT, "profile_load is %g beside profile_approach: expected one of both",
+                   request->profile_load);
   if (request->preload.approach == -INFINITY)
     return po_fail(PO_BAD_INPUT, "preload is %g: expected a finite number, or inf",
                    request->preload.approach);
@@ -155,7 +162,7 @@ po_status po_request_complete(po_request *request) {
   const bool elastic = request->creep.kind == PO_CREEP_NONE;
   if ((!isnan(request->stiffness) && elastic) || request->want & PO_WANT_LOOP)
     request->want |= PO_WANT_HYSTERESIS;
-  if (!isnan(request->profile_approach))
+  if (!isnan(request->profile_approach) || !isnan(request->profile_load))
     request->want |= PO_WANT_PROFILE;
   if (elastic)
     choose_search(request);

@@ -87,13 +87,16 @@ typedef struct po_request {
   double approach_end; /* approach at which it ends, eps; NAN: at the preload, see po_stopping.h */
   unsigned want;       /* PO_WANT_... */
   double profile_approach; /* approach of the profile, eps, at the first passage along the branch;
-                              NAN: at pull-off */
-  po_preload preload;      /* see po_request_preload. With the approach INFINITY the pull-off is the
-                              greatest of all preloads */
-  double stiffness;        /* of a spring through which the body is moved, pi w R/eps; NAN: none */
-  po_creep creep;          /* of the half-space; PO_CREEP_NONE: elastic */
-  double unload_speed;     /* of the base of a viscoelastic body, eps/tau_0; NAN: not given */
-  po_search search;        /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
+                              NAN: at profile_load */
+  double profile_load; /* load of the profile, pi w R, at the first passage along the branch, which
+                          is the state that slow loading at given load reaches if it is >= 0; NAN,
+                          as is then profile_approach: at pull-off */
+  po_preload preload;  /* see po_request_preload. With the approach INFINITY the pull-off is the
+                          greatest of all preloads */
+  double stiffness;    /* of a spring through which the body is moved, pi w R/eps; NAN: none */
+  po_creep creep;      /* of the half-space; PO_CREEP_NONE: elastic */
+  double unload_speed; /* of the base of a viscoelastic body, eps/tau_0; NAN: not given */
+  po_search search;    /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
   const po_theories *theories;   /* NULL: none; a search is then never known to be complete */
   const po_variation *variation; /* of uncertain inputs; NULL: none */
   size_t variations;
@@ -137,9 +140,9 @@ extern const double PO_USUAL_PRELOAD;
 po_preload po_request_preload(const po_request *request);
 
 /* Completes a request that was given key by key: a stiffness and the rows of loops ask for loading
- * and unloading, and an approach of the profile for the profile. The search of a single solve is
- * PO_SEARCH_SOME if neither a preload nor an additional result is wanted but the theories. Status:
- * as po_request_check. */
+ * and unloading, and an approach or a load of the profile for the profile. The search of a single
+ * solve is PO_SEARCH_SOME if neither a preload nor an additional result is wanted but the theories.
+ * Status: as po_request_check. */
 po_status po_request_complete(po_request *request);
 
 /* Whether the trace continues beyond the preload: PO_SEARCH_ALL for a preload of INFINITY and if

@@ -13,7 +13,8 @@
 #include "po_solve_parts.h"
 
 static bool is_special(const po_branch_point *p) {
-  return p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION;
+  return p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION &&
+         p->kind != PO_POINT_STATION_LOAD;
 }
 
 /* Stores the first failure of a part, which ends the trace. */
@@ -76,7 +77,8 @@ static void note_minimum(po_collector *r, const po_branch_point *p, const po_est
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, p);
   const double edge = po_contact_radius(&gap);
   r->result->pull_off.full_disc = edge > 0.0 ? po_contact_disc(&gap) / edge : (double)NAN;
-  if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
+  if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach) &&
+      isnan(r->request->profile_load))
     keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
 }
 
@@ -306,6 +308,12 @@ static void note_too_long(po_collector *r, const po_branch_point *p) {
               r->most_points, p->approach, p->load * po_scene_load_unit(&r->request->scene));
 }
 
+/* Whether a point is one at which the profile is asked for. */
+static bool is_of_profile(const po_request *request, const po_branch_point *p) {
+  return p->kind == PO_POINT_STATION_LOAD ||
+         (p->kind == PO_POINT_STATION && po_path_is_at(p->approach, request->profile_approach));
+}
+
 /* Whether the trace ends at a point; stores the cause. */
 static bool ends_at(po_collector *r, const po_branch_point *p, double contact_radius) {
   const po_scene *scene = &r->request->scene;
@@ -354,8 +362,7 @@ bool po_collector_visit(const po_branch_point *p, void *data) {
     r->most_nodes = r->surface->n;
   if (r->request->show && r->request->want & PO_WANT_CURVE && !r->status)
     show_profile(r, p);
-  if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
-      po_path_is_at(p->approach, r->request->profile_approach))
+  if ((r->request->want & PO_WANT_PROFILE) && !o->profile && is_of_profile(r->request, p))
     keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
   po_stopping_note_point(&r->stopping, p, &gap, contact_radius);
   if (is_special(p))

@@ -32,6 +32,8 @@ static po_continuation_options options_of(const po_request *request, double begi
     options.station[0] = request->preload.approach;
   if (request->want & PO_WANT_PROFILE && !isnan(request->profile_approach))
     options.station[1] = request->profile_approach;
+  if (request->want & PO_WANT_PROFILE)
+    options.station_load = request->profile_load;
   options.begin = fmin(request->approach_start, begin);
   if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS))
     options.largest_sagitta = CURVE_SAGITTA;

@@ -142,6 +142,8 @@ static void describe(const po_request *request, bool identity, po_text *command)
       add_option(command, request, key, identity);
   if (!isnan(request->profile_approach))
     add_option(command, request, PO_KEY_PROFILE_APPROACH, identity);
+  if (!isnan(request->profile_load))
+    add_option(command, request, PO_KEY_PROFILE_LOAD, identity);
   /* without the preload, a single solve would search beyond the default one */
   if (adds_preload(request)) {
     char load[PO_NUMBER_LENGTH];

@@ -113,7 +113,7 @@
     HELP("w/(E* epsilon), >= 0, instead of --tabor"))
 
 /* Keys that readers take beside these, and no document states: the scene in SI units (po_texts.h), and
- * the approach of the profile, which no case has. */
+ * the approach or load of the profile, which no case has. */
 #define PO_SI_ROWS(X) \
   X(MODULUS_PA, "modulus_pa", POSITIVE_OR_INFINITE, NUMBER, SI, NO_PLACE, VARIES, EVERY, "E", \
     HELP("contact modulus E* of the two bodies, in Pa; inf is a rigid sphere")) \
@@ -150,7 +150,12 @@
   X(PROFILE_APPROACH, "profile_approach", ANY_NUMBER, LENGTH, TRACE, PLACE(profile_approach), CONSTANT, NO_VERB, "D", \
     HELP("approach at which the profile is taken, in epsilon (default: that of the pull-off)")) \
   X(PROFILE_APPROACH_M, "profile_approach_m", ANY_NUMBER, LENGTH, SI, SETS(PROFILE_APPROACH), CONSTANT, NO_VERB, "D", \
-    HELP("approach at which the profile is taken, in m"))
+    HELP("approach at which the profile is taken, in m")) \
+  X(PROFILE_LOAD, "profile_load", ANY_NUMBER, LOAD, TRACE, PLACE(profile_load), CONSTANT, NO_VERB, "W", \
+    HELP("load at which the profile is taken, in pi w R: where the branch first has it, which for W >= 0 is the state " \
+         "that loading at given load reaches")) \
+  X(PROFILE_LOAD_N, "profile_load_n", ANY_NUMBER, LOAD, SI, SETS(PROFILE_LOAD), CONSTANT, NO_VERB, "F", \
+    HELP("load at which the profile is taken, in N"))
 
 /* The variables of closed forms. */
 #define PO_VARIABLE_ROWS(X) \
