@@ -92,25 +92,36 @@ static bool is_loading(po_point_kind kind) {
   return kind == PO_POINT_APPROACH_MAX || kind == PO_POINT_LOAD_MAX;
 }
 
+const double PO_NEARLY = 0.9;
+
+/* The load of the deepest kept minimum; 0: there is none. */
+static double deepest_kept(const po_kept_points *kept) {
+  double deepest = 0.0;
+  for (size_t k = 0; k < kept->count; ++k)
+    if (kept->points[k].kind == PO_POINT_LOAD_MIN)
+      deepest = fmin(deepest, kept->points[k].load);
+  return deepest;
+}
+
 /* Whether a special point is one of PO_KEEP_TEST. Minima of the load are tensile. */
 static bool is_of_test(const po_kept_points *kept, const po_branch_point *p, bool minimum) {
   if (p->kind == PO_POINT_APPROACH_MIN)
     return p->unstable_modes == 0;
-  if (!minimum && !is_loading(p->kind))
+  if (minimum)
+    return p->load < PO_NEARLY * deepest_kept(kept);
+  if (!is_loading(p->kind))
     return false;
   for (size_t k = kept->count; k-- > 0;) {
     const po_kept_point *last = &kept->points[k];
-    if (minimum && last->kind == PO_POINT_LOAD_MIN)
-      return p->load < last->load;
-    if (!minimum && is_loading(last->kind))
+    if (is_loading(last->kind))
       return p->approach >= last->approach;
   }
   return true;
 }
 
-/* Keeps a special point on panels if it is one of those that are wanted. Given: the margin of the
- * stopping rule. Status: PO_NO_MEMORY. */
-static po_status keep_point(po_kept_points *kept, const po_branch_point *p, double margin) {
+/* Keeps a special point on panels if it is one of those that are wanted. Status: PO_NO_MEMORY. */
+static po_status keep_point(po_kept_points *kept, const po_branch_point *p,
+                            const po_stopping *stopping) {
   const bool fold = p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN;
   const bool minimum = p->kind == PO_POINT_LOAD_MIN && p->load < 0.0;
   const bool wanted = kept->which == PO_KEEP_TEST     ? is_of_test(kept, p, minimum)
@@ -128,7 +139,8 @@ static po_status keep_point(po_kept_points *kept, const po_branch_point *p, doub
                          .approach = p->approach,
                          .load = p->load,
                          .unstable_modes = p->unstable_modes,
-                         .margin = margin};
+                         .margin = stopping->margin,
+                         .met = stopping->met};
   const po_status status = po_solution_allocate(&new->point, p->solution->n, &kept->arrays);
   if (!status)
     po_solution_copy(p->solution, &new->point);
@@ -238,7 +250,7 @@ static void read_special_point(po_collector *r, const po_branch_point *p) {
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, &e);
   if (r->for_series)
-    keep_status(r, keep_point(r->for_series, p, r->stopping.margin));
+    keep_status(r, keep_point(r->for_series, p, &r->stopping));
 }
 
 /* Gauss's rule with three points on (0, 1). It is exact for the integrand, a cubic times the

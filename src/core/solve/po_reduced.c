@@ -147,12 +147,20 @@ static const po_kept_point *pull_off_of(const po_range_trace *t) {
   return minimum_of(t, t->result.pull_off.approach);
 }
 
-/* The deepest minimum of the load before a jump of loading; NULL: none. */
+/* Whether a special point is a minimum of the load that loading leads to before a jump, which it
+ * does not make; NULL: before the preload. */
+static bool is_minimum_before(const po_kept_point *p, const po_kept_point *jump) {
+  return p->kind == PO_POINT_LOAD_MIN && (jump ? p->position < jump->position : !p->met);
+}
+
+/* The deepest of these; NULL: none. */
 static const po_kept_point *deepest_before(const po_range_trace *t, const po_kept_point *jump) {
   const po_kept_point *deepest = NULL;
-  for (size_t k = 0; k < t->kept.count; ++k) /* each kept minimum is deeper than all before */
-    if (t->kept.points[k].kind == PO_POINT_LOAD_MIN && t->kept.points[k].position < jump->position)
-      deepest = &t->kept.points[k];
+  for (size_t k = 0; k < t->kept.count; ++k) {
+    const po_kept_point *p = &t->kept.points[k];
+    if (is_minimum_before(p, jump) && (!deepest || p->load < deepest->load))
+      deepest = p;
+  }
   return deepest;
 }
 
@@ -181,20 +189,27 @@ static const po_kept_point *jump_of(const po_range_trace *t) {
 
 /* -- The limit -- */
 
-/* The error of the extrapolated force over the tolerance times the force; INFINITY if the pull-off
- * is not known at enough ranges. */
-static double excess_of(const po_ranges *ranges, const po_range_track *t) {
+/* The limit of the force of a minimum. Returned: *bound, its error; INFINITY if the minimum is not
+ * known at enough ranges. */
+static double force_of(const po_ranges *ranges, const po_range_track *t, double *bound) {
   const int first = t->last - PO_RANGES_OF_LIMIT + 1;
+  *bound = INFINITY;
   if (first < t->first)
-    return INFINITY;
+    return fabs(t->at[t->last].point.load);
   const po_range_limit l = po_range_limit_of(&ranges->range[first]);
-  double load[PO_RANGES_OF_LIMIT], error[PO_RANGES_OF_LIMIT], bound;
+  double load[PO_RANGES_OF_LIMIT], error[PO_RANGES_OF_LIMIT];
   for (int k = 0; k < PO_RANGES_OF_LIMIT; ++k) {
     load[k] = t->at[first + k].point.load;
     error[k] = t->at[first + k].point.load_error;
   }
-  const double value = po_range_limit_at(&l, load, error, &bound);
-  return bound / (ranges->request->mesh.tolerance * fabs(value));
+  return fabs(po_range_limit_at(&l, load, error, bound));
+}
+
+/* The error of that force over the tolerance times the force; INFINITY as above. */
+static double excess_of(const po_ranges *ranges, const po_range_track *t) {
+  double bound;
+  const double force = force_of(ranges, t, &bound);
+  return bound / (ranges->request->mesh.tolerance * force);
 }
 
 /* Follows a point to the ranges from `first` to `last`, and on until the excess is small enough if
@@ -271,9 +286,10 @@ static po_status undecided(const po_ranges *ranges, po_result *o) {
 typedef struct {
   po_ranges ranges;
   po_range_trace before, now; /* at: -1 of a trace that has not been made */
-  po_range_track pull_off, begin, jump, any, work_track;
+  po_range_track pull_off, begin, jump, any, rival, work_track;
   po_work work;
   const po_kept_point *minimum; /* that is the pull-off */
+  double greatest;              /* force of all minima with their errors */
   int next; /* index of the range of the next trace; -1: the solve is complete */
 } search;
 
@@ -324,19 +340,104 @@ static po_status conclude(search *s, const po_range_follower *f, bool is_traced,
     result->pull_off_any.searched = (po_preload){NAN, NAN};
   }
   status = po_range_limit_take(&s->ranges, &points, s->pull_off.last, result);
+  result->pull_off.force_error =
+      fmax(result->pull_off.force_error, s->greatest - result->pull_off.force);
   const double excess = excess_of(&s->ranges, &s->pull_off);
   return status ? status : excess > PO_MOST_EXCESS ? inaccurate(request, result, excess) : PO_OK;
 }
 
-/* Follows the minimum to as many ranges as its error needs, and completes the solve. */
-static po_status follow_minimum(search *s, const po_range_follower *f, bool is_traced,
+/* From one of the traced ranges to the true one the force of a minimum changes by at most this
+ * multiple of its change between the two. By its expansion it is 1/3, or 0.6 as measured. */
+static const double CHANGES_ON = 1.5;
+
+/* Whether a minimum of the last trace may have a force above the given one at the true range. One
+ * that ends before the greater range may. */
+static po_status find_whether_exceeds(search *s, const po_range_follower *f, const po_kept_point *p,
+                                      double force, bool *exceeds) {
+  *exceeds = false;
+  if (!(fabs(p->load) > PO_NEARLY * force))
+    return PO_OK;
+  const po_status status = follow_point(f, p, s->before.at, s->now.at, INFINITY, &s->rival);
+  if (ends(status))
+    return status;
+  const double now = fabs(s->rival.at[s->now.at].point.load);
+  *exceeds =
+      status || now + CHANGES_ON * fabs(now - fabs(s->rival.at[s->before.at].point.load)) > force;
+  return PO_OK;
+}
+
+/* Follows a minimum that may be the pull-off at the true range, and makes it the pull-off if it is.
+ * Status: PO_NOT_CONVERGED if it is not known whether it is. */
+static po_status follow_rival(search *s, const po_range_follower *f, const po_kept_point *p,
+                              bool *is_traced) {
+  const int first = s->rival.first, last = first + PO_RANGES_OF_LIMIT - 1;
+  const po_status status = follow_point(f, p, first, last, ENOUGH, &s->rival);
+  double bound, other;
+  const double force = force_of(&s->ranges, &s->rival, &bound);
+  if (status || isinf(bound))
+    return ends(status) ? status : PO_NOT_CONVERGED;
+  s->greatest = fmax(s->greatest, force + bound);
+  if (force > force_of(&s->ranges, &s->pull_off, &other)) {
+    s->pull_off = s->rival;
+    s->minimum = p;
+    *is_traced = false;
+  }
+  return PO_OK;
+}
+
+/* Follows the other minima that may be the pull-off. Given: as conclude; the jump before which
+ * loading is reversed, NULL: none. Returned: *is_traced. */
+static po_status follow_rivals(search *s, const po_range_follower *f, const po_kept_point *jump,
+                               bool *is_traced) {
+  const po_kept_point *first = s->minimum;
+  double bound;
+  po_status status = PO_OK;
+  s->greatest = force_of(&s->ranges, &s->pull_off, &bound) + bound;
+  for (size_t k = 0; k < s->now.kept.count && !status; ++k) {
+    const po_kept_point *p = &s->now.kept.points[k];
+    bool exceeds = false;
+    if (p != first && is_minimum_before(p, jump))
+      status = find_whether_exceeds(s, f, p, fabs(first->load), &exceeds);
+    if (!status && exceeds)
+      status = follow_rival(s, f, p, is_traced);
+  }
+  return status;
+}
+
+/* The greatest pull-off of all preloads is not known if a minimum beyond the preload may exceed it.
+ */
+static po_status judge_any(search *s, const po_range_follower *f) {
+  po_result *o = &s->now.result;
+  if (!o->pull_off_any.is_known)
+    return PO_OK;
+  const po_kept_point *any = minimum_of(&s->now, o->pull_off_any.approach);
+  po_status status = PO_OK;
+  for (size_t k = 0; k < s->now.kept.count && !status; ++k) {
+    const po_kept_point *p = &s->now.kept.points[k];
+    bool exceeds = false;
+    if (p != any && p->kind == PO_POINT_LOAD_MIN && (p->met || any->met))
+      status = find_whether_exceeds(s, f, p, o->pull_off_any.force, &exceeds);
+    o->pull_off_any.is_known &= !exceeds;
+  }
+  return status;
+}
+
+/* Follows the minimum to as many ranges as its error needs, and completes the solve. Given: the
+ * jump before which loading is reversed, NULL: none. */
+static po_status follow_minimum(search *s, const po_range_follower *f, const po_kept_point *jump,
                                 po_result *result) {
   const int last = s->before.at + PO_RANGES_OF_LIMIT - 1;
-  const po_status status = follow_point(f, s->minimum, s->before.at, last, ENOUGH, &s->pull_off);
+  bool is_traced = !jump;
+  po_status status = follow_point(f, s->minimum, s->before.at, last, ENOUGH, &s->pull_off);
   if (ends(status) || isinf(excess_of(&s->ranges, &s->pull_off)))
     return status ? status : PO_NOT_CONVERGED;
   if (!is_traced && !is_kept_by(s->ranges.request, &s->before, &s->pull_off))
     return PO_NOT_CONVERGED;
+  status = follow_rivals(s, f, jump, &is_traced);
+  if (!status && is_traced)
+    status = judge_any(s, f);
+  if (status)
+    return status;
   s->next = -1;
   return conclude(s, f, is_traced, result);
 }
@@ -359,7 +460,7 @@ static po_status follow_all(search *s, const po_range_follower *f, po_result *re
   if (before)
     s->minimum = deepest_before(&s->now, before);
   if (known && s->minimum)
-    return follow_minimum(s, f, !before, result);
+    return follow_minimum(s, f, before, result);
   s->next = -1;
   take_result(s, result);
   return undecided(&s->ranges, result);
