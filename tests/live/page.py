@@ -403,6 +403,37 @@ def a_figure_is_recomputed(reader, _):
         recompute_twice(reader, folder)
 
 
+def the_axes_of_the_paper_are_a_choice(reader, _):
+    """Minus the approach to the right: the same curve, mirrored, whose points are still found; also through a spring."""
+    for fragment in ("#tabor=3&amplitude=1&wavelength=20", "#tabor=3&stiffness=0.05"):
+        reader.open(fragment)
+        place = "[...document.querySelectorAll('#load .marker')].map((mark) => [Number(mark.getAttribute('cx')), Number(mark.getAttribute('cy'))])"
+        width = reader.browser.evaluate("document.getElementById('load').clientWidth")
+        before = reader.browser.evaluate(place)
+        reader.click("#turned")
+        after = reader.browser.evaluate(place)
+        assert len(after) == len(before) > 3 and all(abs(a[0] + b[0] - (width + 58 - 12)) < 0.05 and a[1] == b[1] for a, b in zip(after, before)), (before, after)
+        assert "minus the" in reader.browser.evaluate("document.querySelector('#load .name').textContent")
+        reader.click("#turned")
+        assert reader.browser.evaluate(place) == before
+
+
+def body_and_surface_are_drawn(reader, _):
+    """The distance of the two in the picture is the gap of the figure beside it."""
+    for fragment in ("#tabor=3&amplitude=1&wavelength=20", "#coupling=0.5&profile=punch&punch-b=8&punch-r=40", "#from-physical&modulus-pa=1e9&work-j-per-m2=0.05&distance-m=4e-10&radius-m=2e-8"):
+        reader.open(fragment)
+        drawn = reader.browser.evaluate("""(() => {
+          const places = (id, kind) => [...document.querySelector(`#${id} .curve.${kind}`).getAttribute('d').matchAll(/[ML]([-\\d.]+) ([-\\d.]+)/g)].map((m) => [Number(m[1]), Number(m[2])]);
+          return {body: places('bodies', 'body'), surface: places('bodies', 'half-space')};
+        })()""")
+        body, surface = drawn["body"], drawn["surface"]
+        assert len(body) == len(surface) > 40 and all(a[0] == b[0] for a, b in zip(body, surface))
+        middle = body[len(body) // 2][0]
+        assert all(abs(a[0] + b[0] - 2 * middle) < 1 and abs(a[1] - b[1]) < 0.02 for a, b in zip(body, body[::-1])), "not symmetric"
+        apart = [s[1] - b[1] for b, s in zip(body, surface) if abs(b[0] - middle) < 100]
+        assert min(apart) > -12 and max(apart) > min(apart), apart
+
+
 def every_address_opens_its_scene_again(reader, _):
     """The address of the scene of all usual values was empty, so that a reload opened the first scene of the page."""
     for fragment in ("", "#", "#tabor=1", "#tabor=1&amplitude=0", "#profile=cone", "#from-physical", "#tabor=2&stiffness=0.05", "#figure=fig03"):
@@ -511,6 +542,10 @@ def recompute_twice(reader, folder):
             reader.wait("document.querySelector('#figures button').textContent !== 'Stop'", name)
             words = reader.browser.evaluate("document.querySelector('#figures [role=status]').textContent")
             assert words == f"{count} of {count} solved, {count - wrong} identical to the last bit with the report", words
+            drawn = reader.browser.evaluate("[...document.querySelectorAll('#figure-plot .curve')].map((path) => path.getAttribute('d').length)")
+            curves = records[name]["want"] == "curve"
+            assert len(drawn) == count if curves else 1 <= len(drawn) < count, (name, drawn)
+            assert min(drawn) > (300 if curves else 20), (name, drawn)
         # once more, with another hash of the first scene of each figure
         for figure in records.values():
             figure["scenes"][0][1] = "0123456789abcdef"
@@ -523,7 +558,7 @@ def recompute_twice(reader, folder):
 TESTS = [command_gives_the_digest, every_address_opens_its_scene_again, what_is_shown_says_whose_it_is, parts_are_those_of_the_scene,
          harder_preloads_are_said, staircase_has_the_digest, a_spring_has_its_loop, a_table_is_a_profile, theories_are_those_of_compare,
          a_series_is_followed, wrong_fields_give_a_message, fuzzed_fragments_are_survived, fuzzed_fields_are_survived,
-         a_long_solve_is_stopped, a_figure_is_in_sight, units_follow_the_profile, a_preload_is_named_where_one_is_needed, an_early_end_asserts_no_pull_off, a_figure_is_recomputed, a_marker_of_the_report_opens_its_scene, a_point_is_dragged_along_the_curve, units_are_changed_to_and_fro, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
+         a_long_solve_is_stopped, a_figure_is_in_sight, units_follow_the_profile, a_preload_is_named_where_one_is_needed, an_early_end_asserts_no_pull_off, a_figure_is_recomputed, the_axes_of_the_paper_are_a_choice, body_and_surface_are_drawn, a_marker_of_the_report_opens_its_scene, a_point_is_dragged_along_the_curve, units_are_changed_to_and_fro, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
          memory_is_bounded]
 
 

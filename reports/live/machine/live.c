@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "po_file.h"
+#include "po_initial_gap.h"
 #include "po_json_value.h"
 #include "po_library.h"
 #include "po_memory.h"
@@ -13,20 +14,31 @@
 
 /* Functions of the page. Progress: a point of the trace, or the number of a scene of a series that
  * is solved. Profile: gap and traction at the point of the curve with this number, in rows of
- * radius, gap and traction. */
+ * radius, gap, traction and initial gap. */
 __attribute__((import_module("page"), import_name("progress"))) void page_progress(double approach,
                                                                                    double load);
 __attribute__((import_module("page"), import_name("profile"))) void
-page_profile(int number, const po_profile_point *profile, int count);
+page_profile(int number, const double *rows, int count);
 
-static void tell_progress(void *page, double approach, double load) {
-  (void)page;
+static void tell_progress(void *scene, double approach, double load) {
+  (void)scene;
   page_progress(approach, load);
 }
 
-static void tell_profile(void *page, size_t number, const po_profile_point *profile, size_t count) {
-  (void)page;
-  page_profile((int)number, profile, (int)count);
+enum { ROW = 4 }; /* numbers of a row of a profile */
+
+static void tell_profile(void *scene, size_t number, const po_profile_point *profile,
+                         size_t count) {
+  double *rows = po_allocate(count, ROW * sizeof *rows);
+  for (size_t k = 0; rows && k < count; ++k) {
+    const po_profile_point *p = &profile[k];
+    memcpy(&rows[ROW * k],
+           (double[ROW]){p->radius, p->gap, p->traction, po_initial_gap(scene, p->radius)},
+           ROW * sizeof *rows);
+  }
+  if (rows)
+    page_profile((int)number, rows, (int)count);
+  free(rows);
 }
 
 /* The files of the request that is answered, {NAME: TEXT}. */
@@ -55,6 +67,7 @@ static pulloff_status solve(const pulloff_scene *scene, pulloff_result **result,
   if (!status) {
     request.watch = tell_progress;
     request.show = tell_profile;
+    request.watcher = &request.scene;
     status = po_solve(&request, &solved);
     if (status && !solved.reason[0])
       snprintf(solved.reason, sizeof solved.reason, "%.250s", po_message());

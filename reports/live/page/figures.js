@@ -1,5 +1,6 @@
 // The figures of the report: their scenes, and whether this page computes the same numbers to the last bit.
-import {fragmentOf, requestOf, sceneOf} from './scene.js';
+import {FIELDS, fragmentOf, labelOf, requestOf, sceneOf} from './scene.js';
+import {drawFigure} from './views.js';
 import {makeJobs} from './jobs.js';
 
 // The numbers of a result that are compared, in an order that assemble.py has, too.
@@ -21,15 +22,27 @@ function hashOf(numbers) {
 
 // Fills the part of the page. figures: {NAME: {title, want, scenes: [[fragment, hash]]}}. Returned: show(name).
 export function makeFigures(part, figures, compiled, source) {
-  const [choice, button, state, list] = ['select', 'button', '[role=status]', 'ol'].map((what) => part.querySelector(what));
+  const [choice, button, state, list, plot, legend] = ['select', 'button', '[role=status]', 'ol', 'svg', '.legend'].map((what) => part.querySelector(what));
   part.hidden = Object.keys(figures).length === 0;
   for (const [name, {title}] of Object.entries(figures)) choice.append(new Option(title, name));
   const jobs = [];
-  let run = 0;
+  let run = 0,
+    solved = []; // {scene, answer} of the figure
+  const labelOfField = (name) => labelOf(FIELDS.find((field) => field.name === name) ?? {label: name}, {});
+
+  function drawSolved() {
+    plot.toggleAttribute('hidden', solved.length === 0);
+    const names = solved.length ? drawFigure(plot, solved, labelOfField) : [];
+    legend.replaceChildren(
+      ...(names.length > 1 ? names : []).map((text, k) => Object.assign(document.createElement('span'), {className: `key group group${k % 6}`, textContent: text})),
+    );
+  }
 
   function show(name) {
     ++run;
     for (const job of jobs) job.stop();
+    solved = [];
+    drawSolved();
     if (!Object.hasOwn(figures, name)) return false;
     choice.value = name;
     button.textContent = 'Recompute this figure';
@@ -61,8 +74,13 @@ export function makeFigures(part, figures, compiled, source) {
       while (next < scenes.length && mine === run) {
         const k = next++,
           [fragment, hash] = scenes[k];
-        const {answer} = await job.ask(requestOf(sceneOf(fragment).scene, want));
+        const {scene} = sceneOf(fragment);
+        const {answer} = await job.ask(requestOf(scene, want));
         if (mine !== run) return;
+        if (answer.document) {
+          solved.push({scene, answer});
+          drawSolved();
+        }
         const isSame = Boolean(answer.document) && hashOf(numbersOf(answer.document)) === hash;
         same += isSame;
         list.children[k].append(isSame ? ' identical' : ` different: ${answer.error ?? answer.document.reason}`);
@@ -80,6 +98,7 @@ export function makeFigures(part, figures, compiled, source) {
     if (button.textContent === 'Stop') show(choice.value);
     else recompute();
   });
+  addEventListener('resize', drawSolved);
   show(choice.value);
   return {show, first: () => figures[choice.value].scenes[0][0], names: Object.keys(figures)};
 }

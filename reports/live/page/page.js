@@ -117,7 +117,7 @@ async function solve() {
     $('busy-text').textContent = `Solving: ${points.length} points, ${seconds.toFixed(1)} s`;
     if (points.length < 2) return;
     $('load').classList.add('progress');
-    drawProgress($('load'), points, how);
+    drawProgress($('load'), points, how, $('turned').checked);
     showWhose();
   };
   const {answer, profiles, seconds} = await main.ask(requestOf(asked, WANT), showProgress);
@@ -208,6 +208,7 @@ function drawAll() {
     jkr: $('jkr').checked ? shown.jkr : [],
     control: controlOf(shown.asked),
     whole: $('whole').checked,
+    turned: $('turned').checked,
     chosen,
   });
   $('point').min = view.first;
@@ -228,7 +229,7 @@ function drawChosen() {
   $('state').textContent = `Equilibrium ${words}`;
   let kept = chosen;
   while (kept > 0 && !profiles.has(kept)) --kept;
-  if (profiles.has(kept)) drawProfile($('gap'), $('traction'), {answer, rows: profiles.get(kept), ranges, state});
+  if (profiles.has(kept)) drawProfile($('bodies'), $('gap'), $('traction'), {answer, rows: profiles.get(kept), ranges, state, approach: answer.document.curve[kept].approach});
 }
 
 function moveTo(number) {
@@ -306,7 +307,7 @@ $('load').addEventListener('pointermove', (event) => {
   if (event.buttons && view && !$('load').classList.contains('progress')) moveTo(view.nearest(event.offsetX, event.offsetY));
 });
 $('point').addEventListener('input', () => moveTo(Number($('point').value)));
-for (const id of ['whole', 'jkr']) $(id).addEventListener('change', () => shown && drawAll());
+for (const id of ['whole', 'jkr', 'turned']) $(id).addEventListener('change', () => shown && drawAll());
 for (const choice of document.querySelectorAll('input[name=control]'))
   choice.addEventListener('change', () => {
     const wanted = control() === 'spring';

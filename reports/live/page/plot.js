@@ -63,9 +63,9 @@ export function pathOf(points, X, Y) {
 }
 
 // Draws into an <svg>. Given: label of the whole for screen readers; x and y: {label, range}, x with `log`; curves: {points,
-// kind}, where kind is a class of style.css; markers: {x, y, kind, title, text}; lines: {points: [[x, y], [x, y]], kind, arrow}.
+// kind}, where kind is a class of style.css; markers: {x, y, kind, title, text}; lines: {points: [[x, y], [x, y]], kind, arrow}; areas: {points, kind, to}, filled from the points to the value `to`.
 // Returned: the scales X, Y from values to pixels and their inverses.
-export function draw(svg, {label, x, y, curves = [], markers = [], lines = []}) {
+export function draw(svg, {label, x, y, curves = [], markers = [], lines = [], areas = []}) {
   const width = svg.clientWidth || 600,
     height = svg.clientHeight || 360;
   const right = width - MARGIN.right,
@@ -101,6 +101,11 @@ export function draw(svg, {label, x, y, curves = [], markers = [], lines = []}) 
     ),
   );
   const inside = element('g', {'clip-path': `url(#${clip})`});
+  for (const {points, kind, to} of areas)
+    if (points.length > 1)
+      inside.append(
+        element('path', {class: `area ${kind}`, d: `${pathOf(points, X, Y)}L${place(X(points.at(-1).x))} ${place(Y(to))}L${place(X(points[0].x))} ${place(Y(to))}Z`}),
+      );
   for (const {points, kind} of curves) inside.append(element('path', {class: `curve ${kind}`, d: pathOf(points, X, Y)}));
   for (const {points, kind, arrow} of lines) {
     const [[x1, y1], [x2, y2]] = points.map(([at, value]) => [Number(place(X(at))), Number(place(Y(value)))]);

@@ -33,14 +33,14 @@ function surroundings(memory) {
 
 // module: a compiled WebAssembly.Module. Returned: ask(request, hooks) gives the answer to a request as
 // reports/live/machine/live.c describes it; hooks, optional: progress(approach, load) at each point of a trace, and
-// profile(number, rows), where rows() are radius, gap and traction of one node after the other.
+// profile(number, rows), where rows are radius, gap, traction and initial gap of one node after the other.
 export function makeSolver(module) {
   let hooks = {};
   const imports = {
     wasi_snapshot_preview1: surroundings(() => solver.memory),
     page: {
       progress: (approach, load) => hooks.progress?.(approach, load),
-      profile: (number, at, count) => hooks.profile?.(number, new Float64Array(solver.memory.buffer, at, 3 * count)),
+      profile: (number, at, count) => hooks.profile?.(number, new Float64Array(solver.memory.buffer, at, 4 * count)),
     },
   };
   const solver = new WebAssembly.Instance(module, imports).exports;

@@ -46,17 +46,18 @@ function fullDiscs(jkr) {
 }
 
 // Draws the load against the approach, or against the position of the base of the spring, approach + load/k. Given:
-// answer; control; jkr: points of the JKR curve; whole: all points; chosen: the number of a point of the curve. Returned: nearest(px, py), the number of the point that is nearest to a place, and the
+// answer; control; jkr: points of the JKR curve; whole: all points; turned: minus the approach to the right, as in the paper; chosen: the number of a point of the curve. Returned: nearest(px, py), the number of the point that is nearest to a place, and the
 // first and the last number that are visible.
-export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
+export function drawLoad(svg, {answer, control, jkr, whole, turned, chosen}) {
   const {document: result} = answer,
     u = unitsOf(answer),
     {curve} = result;
   const shown = whole ? curve : pointsOfInterest(answer, control);
   const stiffness = stiffnessOf(answer, control),
     give = 0 < stiffness && stiffness < Infinity ? 1 / stiffness : 0;
-  const at = (p) => (p.approach + give * p.load) * u.length;
-  const what = give ? 'base of the spring: approach + load/k' : 'approach';
+  const way = turned ? -u.length : u.length;
+  const at = (p) => (p.approach + give * p.load) * way;
+  const what = (turned ? 'minus the ' : '') + (give ? 'base of the spring: approach + load/k' : turned ? 'approach −Δ' : 'approach');
   const x = {label: `${what} (${u.lengthName})`, range: rangeOf(shown.map(at))};
   const [lowest, highest] = rangeOf(shown.map((p) => p.load * u.force));
   const y = {label: `load (${u.forceName})`, range: [lowest - 0.08 * (highest - lowest), highest]}; // with the name of the pull-off below it
@@ -64,7 +65,7 @@ export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
     x: at(p),
     y: p.load * u.force,
     at: p.position,
-    dx: (p.approach_rate + give * p.load_rate) * u.length,
+    dx: (p.approach_rate + give * p.load_rate) * way,
     dy: p.load_rate * u.force,
   });
   const curves = fullDiscs(jkr).map((points) => ({
@@ -73,7 +74,7 @@ export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
   }));
   for (const run of runsOf(answer, control))
     curves.push({kind: run.stable ? 'stable' : 'unstable', points: run.points.map(scaled)});
-  const end = (state) => [state.approach === null ? x.range[0] : at(state), state.load * u.force];
+  const end = (state) => [state.approach === null ? x.range[turned ? 1 : 0] : at(state), state.load * u.force];
   const lines = (result.hysteresis?.[control]?.jumps ?? []).map((jump) => ({
     kind: `jump ${jump.phase}`,
     arrow: true,
@@ -117,15 +118,19 @@ export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
 
 // The load as far as it is computed: points [approach, load], drawn as `how` says (progressOf in scene.js). What is stable is
 // not known yet.
-export function drawProgress(svg, points, how) {
-  const shown = points.map(([approach, load]) => ({x: how.x(approach, load), y: how.y(load)}));
+export function drawProgress(svg, points, how, turned) {
+  const shown = points.map(([approach, load]) => ({x: (turned ? -1 : 1) * how.x(approach, load), y: how.y(load)}));
+  const label = (turned ? 'minus the ' : '') + how.label;
   draw(svg, {
-    label: `${how.loadLabel} against ${how.label}, as far as it is computed`,
-    x: {label: how.label, range: rangeOf(shown.map((p) => p.x))},
+    label: `${how.loadLabel} against ${label}, as far as it is computed`,
+    x: {label, range: rangeOf(shown.map((p) => p.x))},
     y: {label: how.loadLabel, range: rangeOf(shown.map((p) => p.y))},
     curves: [{kind: 'unfinished', points: shown}],
   });
 }
+
+// Numbers of a row of a profile: radius, gap, traction, initial gap.
+const ROW = 4;
 
 // The ranges of the figures of gap and traction, the same for all points of a curve.
 export function rangesOfProfiles(answer, profiles) {
@@ -135,7 +140,7 @@ export function rangesOfProfiles(answer, profiles) {
   const radius = contact > 0 ? 1.4 * contact : Math.sqrt(8 * input.radius);
   const waves = (input.waves ?? '').split(';').reduce((sum, wave) => sum + 2.2 * Number(wave.split('@')[0] || 0), 0);
   const tractions = [];
-  for (const [, rows] of profiles) for (let k = 0; k < rows.length && rows[k] < radius; k += 3) tractions.push(rows[k + 2]);
+  for (const [, rows] of profiles) for (let k = 0; k < rows.length && rows[k] < radius; k += ROW) tractions.push(rows[k + 2]);
   return {
     radius: [0, radius * u.length],
     gap: [-0.6, Math.max(4, waves)].map(u.gap),
@@ -143,12 +148,44 @@ export function rangesOfProfiles(answer, profiles) {
   };
 }
 
-// Draws gap and traction of one equilibrium: rows of radius, gap, traction.
-export function drawProfile(gapPlot, tractionPlot, {answer, rows, ranges, state}) {
+// Draws body and surface of one equilibrium on both sides of the axis. The surface is drawn nearer by the equilibrium distance, so that
+// the two touch where they neither attract nor repel each other. Given: approach of the equilibrium.
+function drawBodies(svg, {answer, rows, ranges, state, approach}) {
+  const u = unitsOf(answer),
+    body = [],
+    surface = [];
+  for (let k = 0; k < rows.length && rows[k] * u.length <= 1.3 * ranges.radius[1]; k += ROW) {
+    const height = rows[k + 3] - approach;
+    body.push({x: rows[k] * u.length, y: height * u.length});
+    surface.push({x: rows[k] * u.length, y: (height - rows[k + 1]) * u.length});
+  }
+  const both = (points) => [...points.map(({x, y}) => ({x: -x, y})).reverse(), ...points];
+  const isShown = ({x}) => x <= ranges.radius[1];
+  const [low, high] = rangeOf([...body.filter(isShown).map((p) => p.y), ...surface.filter(isShown).map((p) => p.y)]);
+  const x = {label: `distance from the axis (${u.lengthName})`, range: [-ranges.radius[1], ranges.radius[1]]};
+  const stretch = ((high - low) / (2 * ranges.radius[1])) * ((svg.clientWidth || 600) / (svg.clientHeight || 240));
+  draw(svg, {
+    label: `Body and surface of the half-space ${state}`,
+    x,
+    y: {label: `height (${u.lengthName}), drawn ${withError(Number((1 / stretch).toPrecision(2)))} times too high`, range: [low, high]},
+    areas: [
+      {points: both(body), kind: 'body', to: high},
+      {points: both(surface), kind: 'half-space', to: low},
+    ],
+    curves: [
+      {points: both(body), kind: 'body'},
+      {points: both(surface), kind: 'half-space'},
+    ],
+  });
+}
+
+// Draws body and surface, gap and traction of one equilibrium: rows as above.
+export function drawProfile(bodies, gapPlot, tractionPlot, {answer, rows, ranges, state, approach}) {
   const u = unitsOf(answer),
     gaps = [],
     tractions = [];
-  for (let k = 0; k < rows.length; k += 3) {
+  drawBodies(bodies, {answer, rows, ranges, state, approach});
+  for (let k = 0; k < rows.length; k += ROW) {
     gaps.push({x: rows[k] * u.length, y: u.gap(rows[k + 1])});
     tractions.push({x: rows[k] * u.length, y: rows[k + 2] * u.traction});
   }
@@ -220,4 +257,58 @@ export function drawStaircase(svg, answer, control) {
     withError(step.preload.approach * u.length),
     withError(step.force * u.force, step.error_estimate * u.force),
   ]);
+}
+
+// The numbers of the fields that differ among scenes: {NAME: set of values}.
+function variedNumbers(scenes) {
+  const values = {};
+  for (const scene of scenes) for (const [name, text] of Object.entries(scene)) if (Number.isFinite(Number(text))) (values[name] ??= new Set()).add(Number(text));
+  return Object.fromEntries(Object.entries(values).filter(([, set]) => set.size > 1));
+}
+
+// The scenes of a figure as curves: load against approach, where curves were wanted; otherwise the pull-off force against the field with
+// the most values, a curve for each combination of the other fields. Returned: {x, y, curves: [{points, name}]}.
+function curvesOfFigure(solved, labelOfField) {
+  const unit = unitsOf(solved[0].answer).forceName;
+  const values = variedNumbers(solved.map(({scene}) => scene));
+  const names = Object.keys(values).sort((a, b) => values[b].size - values[a].size);
+  const nameOf = (scene, of) => of.map((name) => `${labelOfField(name)} ${scene[name] ?? '–'}`).join(', ');
+  if (solved[0].answer.document.curve.length)
+    return {
+      x: {label: 'minus the approach −Δ (ε)'},
+      y: {label: `load (${unit})`},
+      curves: solved.map(({scene, answer}) => ({name: nameOf(scene, names), points: answer.document.curve.map((p) => ({x: -p.approach, y: p.load}))})),
+    };
+  const [first, ...others] = names,
+    groups = new Map();
+  for (const {scene, answer} of solved) {
+    const name = nameOf(scene, others);
+    if (pullOffOf(answer.document)) groups.set(name, [...(groups.get(name) ?? []), {x: Number(scene[first]), y: answer.document.pull_off.force}]);
+  }
+  const all = [...(values[first] ?? [])];
+  return {
+    x: {label: first ? labelOfField(first) : 'scene', log: Math.min(...all) > 0 && Math.max(...all) > 20 * Math.min(...all)},
+    y: {label: `pull-off force (${unit})`},
+    curves: [...groups].map(([name, points]) => ({name, points: points.sort((a, b) => a.x - b.x)})),
+  };
+}
+
+// Draws the scenes of a figure that are solved: [{scene, answer}]. Load curves are cut at a little beyond their zeros, as in the paper.
+export function drawFigure(svg, solved, labelOfField) {
+  const {x, y, curves} = curvesOfFigure(solved, labelOfField);
+  const points = curves.flatMap((curve) => curve.points);
+  const deepest = Math.min(...points.map((p) => p.y));
+  const shown = deepest < 0 ? points.filter((p) => p.y < -0.02 * deepest || p.y < 0) : points;
+  const inside = deepest < 0 ? shown.filter((p) => p.y < 0.02 * deepest) : shown;
+  draw(svg, {
+    label: `${y.label} against ${x.label}: ${curves.length} curves`,
+    x: {...x, range: rangeOf(inside.map((p) => p.x), x.log ? 0 : undefined)},
+    y: {...y, range: deepest < 0 ? [1.1 * deepest, -0.3 * deepest] : rangeOf([0, ...points.map((p) => p.y)])},
+    curves: curves.map(({points: own}, k) => ({kind: `group group${k % 6}`, points: own})),
+    markers: curves.flatMap(({points: own, name}, k) => {
+      const marked = deepest < 0 ? [own.reduce((least, p) => (p.y < least.y ? p : least))] : own;
+      return marked.map((p) => ({...p, kind: `group${k % 6}`, title: `${name ? `${name}: ` : ''}${withError(p.x)}, ${withError(p.y)}`}));
+    }),
+  });
+  return curves.map(({name}) => name);
 }
