@@ -3,9 +3,10 @@
 Usage: bits.py [--variants] [--emulator COMMAND] [--accept] NAME=PROGRAM...
 
 Each program computes all scenes. --variants: each again with the oldest kernels of OpenBLAS and the functions that the C
-library has for processors without AVX2 and FMA; and the scenes with condition numbers, for which alone OpenBLAS is called
-(symbols.py), with every set of kernels that OpenBLAS has for a processor like this one. --emulator: COMMAND runs the programs. --accept: writes the digests of the first program to scenes.txt. Exit status: 0 all digests are those of
-scenes.txt, 1 some are not. Prints a line for each way: who computed, how many scenes, how many differ, seconds.
+library has for processors without AVX2 and FMA; and one scene with a condition number, for which alone OpenBLAS is called
+(symbols.py), with every other set of kernels that OpenBLAS has for a processor like this one. --emulator: COMMAND runs the
+programs. --accept: writes the digests of the first program to scenes.txt. Exit status: 0 all digests are those of scenes.txt,
+1 some are not. Prints a line for each way: who computed, how many scenes, how many differ, seconds.
 """
 
 import argparse
@@ -24,6 +25,7 @@ from scenes import SCENES, read_scenes
 # The instructions that each set of kernels needs, by their names in /proc/cpuinfo.
 KERNELS = {"Prescott": "pni", "Core2": "ssse3", "Nehalem": "sse4_2", "Sandybridge": "avx", "Haswell": "avx2", "Zen": "avx2",
            "SkylakeX": "avx512vl", "Cooperlake": "avx512_bf16"}
+OF_OPENBLAS = "--scheme triangle"  # words of this scene
 OLD_PROCESSOR = "glibc.cpu.hwcaps=" + ",".join("-" + name for name in (
     "AVX512F", "AVX512VL", "AVX2", "FMA", "FMA4", "AVX2_Usable", "FMA_Usable"))
 
@@ -36,7 +38,7 @@ def environments():
         oldest, *others = (name for name, flag in KERNELS.items() if flag in flags)
         ways[f"kernels {oldest}, C library without AVX2 and FMA"] = (
             {"OPENBLAS_CORETYPE": oldest, "GLIBC_TUNABLES": OLD_PROCESSOR}, "")
-        ways |= {f"kernels {name}": ({"OPENBLAS_CORETYPE": name}, "diagnostics") for name in others}
+        ways |= {f"kernels {name}": ({"OPENBLAS_CORETYPE": name}, OF_OPENBLAS) for name in others}
     return ways
 
 
