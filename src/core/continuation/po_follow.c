@@ -240,7 +240,7 @@ void po_follow_destroy(po_follower *f) {
 static po_status locate(po_follower *f, double *slope, double value[2], po_solution *out) {
   const po_solution *from = &f->seed;
   for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT; ++mesh, from = &f->spare) {
-    po_status status = po_refine_locate(&f->c, from, f->of, slope, out, value);
+    po_status status = po_refine_locate(&f->c, from, 0.0, f->of, slope, out, value);
     if (status || po_corrector_is_resolved(&f->c, out))
       return status;
     status = po_corrector_follow_solved(&f->c, out, &f->spare);

@@ -96,8 +96,7 @@ static void move(po_corrector *c, const po_solution *from, double step, po_solut
     po_solution_finish(p, c->e);
 }
 
-/* Given: the value of the arclength functional of `from` at which the search begins. */
-static po_status find_root(po_corrector *c, const po_solution *from, double at, po_event_kind of,
+po_status po_refine_locate(po_corrector *c, const po_solution *from, double at, po_event_kind of,
                            double *slope, po_solution *out, double value[2]) {
   po_sample last = {.at = NAN};
   for (int k = 0; k < MOST_SOLVES; ++k) {
@@ -140,26 +139,6 @@ static po_status extrapolate(po_corrector *c, const po_solution *from, double at
   return PO_OK;
 }
 
-/* The second search begins where the functional is for the interpolated state of `from`. At a fold
- * beside a groove of a wavy cone that was 1e-3 off, which moved the contact edge by so many of its
- * widths that Newton's method failed. */
-po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
-                           double *slope, po_solution *out, double value[2]) {
-  const double given = *slope;
-  double at = 0.0;
-  for (int search = 0;; ++search) {
-    po_status status = find_root(c, from, at, of, slope, out, value);
-    if (status != PO_NOT_CONVERGED || isnan(given))
-      return status;
-    *slope = given;
-    status = extrapolate(c, from, at, of, given, out, value);
-    if (status != PO_NOT_CONVERGED || search > 0)
-      return status;
-    po_corrector_guess(c, from);
-    at = po_corrector_place_of_guess(c, from);
-  }
-}
-
 double po_refine_error(double precision, double change, double value) {
   return PO_SAFETY * fabs(change) + FLOOR * precision * (1.0 + fabs(value));
 }
@@ -173,16 +152,31 @@ static void place_at_root(const po_refinement *how, po_refined *r) {
     r->value[q] += step * rate[q];
 }
 
-/* Solves a special point on a finer mesh. Returned: the solution in finer, its approach and load in
- * value. */
-static po_status solve_on(po_corrector *c, const po_panels *panels, const po_refinement *how,
-                          const po_solution *point, po_solution *finer, double value[2]) {
-  const po_status status = po_corrector_mesh(c, panels);
-  if (status)
-    return status;
+/* Solves a special point on the current mesh, which is finer than its own: by a search that begins
+ * at a value of the arclength functional, or extrapolated from there. */
+static po_status solve_from(po_corrector *c, const po_refinement *how, const po_solution *point,
+                            double at, po_solution *finer, double value[2]) {
   po_corrector_guess(c, point);
   double slope = how->slope;
-  return po_refine_locate(c, point, how->of, &slope, finer, value);
+  const po_status status = po_refine_locate(c, point, at, how->of, &slope, finer, value);
+  return status == PO_NOT_CONVERGED ? extrapolate(c, point, at, how->of, how->slope, finer, value)
+                                    : status;
+}
+
+/* Solves a special point on a finer mesh. Returned: the solution in finer, its approach and load in
+ * value. A second search begins where the functional is for the interpolated state of the point. At
+ * a fold beside a groove of a wavy cone that is 1e-3 off, for which the contact edge moves by so
+ * many of its widths that Newton's method fails. */
+static po_status solve_on(po_corrector *c, const po_panels *panels, const po_refinement *how,
+                          const po_solution *point, po_solution *finer, double value[2]) {
+  po_status status = po_corrector_mesh(c, panels);
+  if (!status)
+    status = solve_from(c, how, point, 0.0, finer, value);
+  if (status != PO_NOT_CONVERGED)
+    return status;
+  po_corrector_guess(c, point);
+  const double at = po_corrector_place_of_guess(c, point);
+  return solve_from(c, how, point, at, finer, value);
 }
 
 /* Solves for the special point on the finer mesh for the estimate, to the precision of rounding. If

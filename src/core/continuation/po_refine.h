@@ -41,9 +41,10 @@ po_status po_refine(po_corrector *c, const po_refinement *how, po_refined *r);
 
 /* Locates the fold or extremum near the guess on the current mesh: Newton's method for the
  * equilibrium, and the secant method along the arclength functional of `from` for the root of the
- * rate. Given: slope, an approximate derivative of that rate; NAN: unknown. Returned: slope; the
- * special point in out, its approach and load in value. Status: PO_NOT_CONVERGED. */
-po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
+ * rate. Given: at, the value of the functional at which the search begins; slope, an approximate
+ * derivative of that rate; NAN: unknown. Returned: slope; the special point in out, its approach
+ * and load in value. Status: PO_NOT_CONVERGED. */
+po_status po_refine_locate(po_corrector *c, const po_solution *from, double at, po_event_kind of,
                            double *slope, po_solution *out, double value[2]);
 
 #endif
