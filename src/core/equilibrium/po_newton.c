@@ -23,9 +23,6 @@ static const double STAGNATED_OF_NOISE = 20.0;
  * any prediction; and, after the first iteration, larger than any from which the iteration
  * converges. */
 static const double GREATEST_CHANGE = 1e3, DIVERGED = 10.0;
-/* Change of a gap, relative to 1 + H, below which the law is linear over a step a thousand times as
- * long. */
-static const double LINEAR = 1e-4;
 /* Mean contraction of an iteration above which a new factorisation is cheaper. */
 static const double SLOWEST = 0.45;
 /* Greatest error of the condition at which an iteration may have converged. The changes of the gaps
@@ -40,10 +37,8 @@ static const double GREATEST_LEFT = 0.1;
  * iteration that converges to 1e-6 leaves no more than that times the stiffness, which is below
  * 1e12 where there are equilibria. */
 static const double GREATEST_IMBALANCE = 1e6;
-/* Iterations before the contraction is judged; and for a narrow contact edge, where the compressed
- * factors leave some directions to Broyden's updates, which need the time to find them, in Newton's
- * method and for the tangent. */
-enum { MOST_ITERATIONS = 20, PATIENCE = 3, PATIENCE_AT_NARROW = 8, PATIENCE_OF_TANGENT = 16 };
+/* Iterations before the contraction is judged. */
+enum { MOST_ITERATIONS = 20, PATIENCE = 3 };
 
 /* As fmax if a is a number; a call of fmax costs ten times as much. */
 static inline double greater(double a, double b) {
@@ -89,14 +84,6 @@ void po_equilibrium_measure_noise(po_equilibrium *e, const double *state) {
   e->gain = noise / part;
 }
 
-/* Multiple of the measured noise below which an update may be one of noise, and may not change the
- * sign of the determinant. */
-static const double CLEAR_OF_NOISE = 1e4;
-
-static bool is_clear(const po_equilibrium *e, double change) {
-  return change > CLEAR_OF_NOISE * e->noise;
-}
-
 /* The largest error of Eq 15 relative to 1 + its terms without the deflection. */
 static double imbalance(const po_equilibrium *e, const double *state, const double *residual) {
   double largest = 0.0;
@@ -115,7 +102,7 @@ static po_status solve_change(po_equilibrium *e, const double *residual, double 
   if (e->by_krylov)
     return po_krylov_solve(e, residual, KRYLOV_OF_NEWTON, change);
   po_equilibrium_precondition(e, residual, change);
-  po_secant_step(&e->secant, e->last_change < LINEAR && is_clear(e, e->last_change), change);
+  po_secant_step(&e->secant, change);
   return PO_OK;
 }
 
@@ -167,11 +154,9 @@ static void note_change(progress *p, double change) {
 }
 
 /* Whether the iteration diverges, or converges so slowly that it is given up. */
-static bool is_hopeless(const po_equilibrium *e, int at_narrow, const progress *p,
-                        double stagnated) {
-  const int patience = e->narrow ? at_narrow : PATIENCE;
+static bool is_hopeless(const progress *p, double stagnated) {
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
-         (p->count > patience && p->now > stagnated &&
+         (p->count > PATIENCE && p->now > stagnated &&
           p->now > p->first * po_pow(SLOWEST, p->count - 1));
 }
 
@@ -190,11 +175,9 @@ static const double GREATEST_OF_NOISE = 100.0, GREATEST_AT_NARROW = 1e-7;
 
 /* Whether the last changes show the noise of an iteration, which then replaces the measured one. */
 static bool is_noise(po_equilibrium *e, const progress *p) {
-  const bool narrow = e->narrow;
   const double greatest = fmax(p->now, fmax(p->before, p->earlier));
-  const double limit = narrow ? GREATEST_AT_NARROW : GREATEST_OF_NOISE * e->noise;
-  if (p->count <= (narrow ? PATIENCE_AT_NARROW : PATIENCE) || !(greatest < limit) ||
-      (p->now > p->before && p->before > p->earlier))
+  const double limit = e->narrow ? GREATEST_AT_NARROW : GREATEST_OF_NOISE * e->noise;
+  if (p->count <= PATIENCE || !(greatest < limit) || (p->now > p->before && p->before > p->earlier))
     return false;
   e->noise = fmax(e->noise, greatest);
   return true;
@@ -226,7 +209,7 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
       ++e->work.points;
       return PO_OK;
     }
-    if (is_hopeless(e, PATIENCE_AT_NARROW, &p, stagnated(e)) || p.now > constraint->farthest)
+    if (is_hopeless(&p, stagnated(e)) || p.now > constraint->farthest)
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;
@@ -252,7 +235,7 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
     for (size_t i = 0; i < n; ++i)
       residual[i] += e->source[i] - (solution[n] + solution[i]);
     po_equilibrium_precondition(e, residual, change);
-    po_secant_step(&e->secant, is_clear(e, p.now), change);
+    po_secant_step(&e->secant, change);
     double largest = 0.0, size = 0.0;
     for (size_t j = 0; j <= n; ++j) {
       solution[j] += change[j];
@@ -264,7 +247,7 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
     note_change(&p, largest / size);
     if (iteration > 0 && is_converged(&p, least, stagnated(e)))
       return PO_OK;
-    if (is_hopeless(e, PATIENCE_OF_TANGENT, &p, stagnated(e)))
+    if (is_hopeless(&p, stagnated(e)))
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;

@@ -1,14 +1,12 @@
 #include "po_secant.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "po_linear.h"
 
 /* The denominator 1 - v.z is the inverse of the factor by which the correction lengthens the step,
- * and the determinant of the correction. A correction with a smaller denominator is left out; in
- * linear equations, with one of smaller modulus. */
-static const double LEAST_DENOMINATOR = 0.2, LEAST_OF_LINEAR = 1e-3;
+ * and the determinant of the correction. A correction with a smaller denominator is left out. */
+static const double LEAST_DENOMINATOR = 0.2;
 
 void po_secant_allocate(po_secant *s, size_t capacity, po_arena *arrays) {
   *s = (po_secant){.capacity = capacity};
@@ -51,7 +49,7 @@ static double last_step(const po_secant *s, const double *z, double *v) {
   return po_linear_dot(s->n, v, z);
 }
 
-void po_secant_step(po_secant *s, bool linear, double *change) {
+void po_secant_step(po_secant *s, double *change) {
   for (size_t k = 0; k < s->count; ++k)
     po_linear_add(s->n, po_linear_dot(s->n, s->v + k * s->capacity, change), s->u + k * s->capacity,
                   change);
@@ -61,9 +59,7 @@ void po_secant_step(po_secant *s, bool linear, double *change) {
   } else if (s->has_step) {
     double *u = s->u + s->count * s->capacity, *v = s->v + s->count * s->capacity;
     const double denominator = 1.0 - last_step(s, change, v);
-    if (denominator > LEAST_DENOMINATOR || (linear && fabs(denominator) > LEAST_OF_LINEAR)) {
-      if (denominator < 0.0)
-        s->sign = -s->sign;
+    if (denominator > LEAST_DENOMINATOR) {
       for (size_t j = 0; j < s->n; ++j)
         u[j] = change[j] /= denominator;
       ++s->count;

@@ -18,7 +18,7 @@ typedef struct {
   double *scale; /* n: components of a step are measured relative to these scales */
   double *step;  /* n: the last step */
   bool has_step; /* the next change is computed at the end of the last step */
-  int sign;      /* of the determinant of the product of all corrections */
+  int sign; /* of the determinant of the Jacobian over that of M, if GMRES found it; otherwise 1 */
 } po_secant;
 
 /* Allocates updates for vectors of length up to `capacity`. The memory belongs to `arrays`, which
@@ -36,9 +36,7 @@ void po_secant_begin(po_secant *s);
 /* Deletes all corrections. */
 void po_secant_drop(po_secant *s);
 
-/* Given: change = -M residual, n; linear, whether the residual is linear over a step a thousand
- * times as long: then M may miss a small eigenvalue of the Jacobian, or have it with the wrong
- * sign. Returned: in `change`, the corrected step, which is stored. */
-void po_secant_step(po_secant *s, bool linear, double *change);
+/* Given: change = -M residual, n. Returned: in `change`, the corrected step, which is stored. */
+void po_secant_step(po_secant *s, double *change);
 
 #endif
