@@ -20,7 +20,7 @@ class Agreement(unittest.TestCase):
         with open(os.path.join(ablate.HERE, "constants.toml"), "rb") as stream:
             kinds = tomllib.load(stream)
         labels = set(kinds.pop("labels"))
-        self.assertEqual(set(kinds), {"tuned", "limit", "derived", "stated"})
+        self.assertEqual(set(kinds), {"tuned", "measured", "limit", "derived", "stated"})
         listed = [(file, name) for files in kinds.values() for file, names in files.items() for name in names]
         found = {key for key in scan.constants(ablate.ROOT) if key[1] not in labels}
         self.assertEqual(len(listed), len(set(listed)))
