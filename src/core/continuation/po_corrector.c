@@ -177,15 +177,12 @@ static po_status factorize_at(po_corrector *c, const po_solution *from, const do
   return status;
 }
 
-/* A step so short that the factors, not its length, are probably why it fails. */
-static const double SHORT = 1e-4;
-
 /* Lets linear systems be solved by GMRES from now on, if that may help: on panels of a wavy scene,
  * where an annulus may form, with narrow contact edges or after the step has become short. Given:
  * the length of the step. Returned: whether they were not before. */
 static bool turn_to_krylov(po_equilibrium *e, double step) {
   if (!e->elimination || e->by_krylov || po_scene_is_simple(e->scene) ||
-      !(e->narrow || fabs(step) < SHORT))
+      !(e->narrow || fabs(step) < PO_SHORT_STEP))
     return false;
   e->by_krylov = true;
   return true;

@@ -6,9 +6,7 @@
 #include "po_profile.h"
 #include "po_special_point.h"
 
-/* Distance along the arclength functional below which the prediction is at fixed radii if edges are
- * about to meet. */
-static const double MEETING_STEP = 1e-4;
+const double PO_SHORT_STEP = 1e-4;
 
 /* Two predictions are compared at every so many nodes: at three a panel. */
 enum { STRIDE = 4 };
@@ -102,7 +100,7 @@ double po_prediction_reach(const po_equilibrium *e, const po_solution *a, const 
   po_prediction moving = begin(e, a, b);
   double near = distance;
   for (; !move(&moving, near); near *= 0.5) {
-    if (fabs(near) < MEETING_STEP && po_prediction_make(e, a, b, near, p))
+    if (fabs(near) < PO_SHORT_STEP && po_prediction_make(e, a, b, near, p))
       return near;
     if (fabs(near) < PO_LOCATED)
       return 0.0;

@@ -27,6 +27,10 @@ typedef struct {
   size_t edge, panel_wanted;
 } po_prediction;
 
+/* A step along the arclength functional that is so short that not its length is why it fails, but
+ * contact edges that are about to meet, or the factors. */
+extern const double PO_SHORT_STEP;
+
 /* Predicts at a distance along the arclength functional of a. Given: e, for its scene; b, another
  * point ahead or behind, or NULL. All contact edges move the coordinates, except pairs whose strain
  * would be too large. Returned: false if no prediction is possible. */

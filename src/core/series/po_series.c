@@ -16,11 +16,6 @@ typedef struct {
                         before the next checkpoint */
 } checkpoint;
 
-/* A followed and a traced minimum are the same if their loads differ by at most SAME_LOAD times the
- * relative tolerance, and their approaches by at most AGREEING_APPROACH relative to 1 + |approach|.
- */
-static const double SAME_LOAD = 10.0, AGREEING_APPROACH = 1e-2;
-
 /* A minimum that was followed from one checkpoint towards the other. */
 typedef struct {
   const po_kept_point *from, *arrived; /* in both traces; arrived NULL: not in the second */
@@ -63,7 +58,7 @@ static double deepest_at(const interval *s, size_t index) {
 }
 
 static double load_tolerance(const interval *s, double load) {
-  return SAME_LOAD * s->l->requests[s->from->index].mesh.tolerance * fabs(load);
+  return PO_SAME_LOAD * s->l->requests[s->from->index].mesh.tolerance * fabs(load);
 }
 
 /* Records a minimum as the pull-off of a scene if it is the deepest up to now. */
@@ -85,7 +80,7 @@ static void record_minimum(void *data, size_t index, const po_branch_point *p) {
 static const po_kept_point *find_arrived(const interval *s, const checkpoint *at) {
   const po_branch_point p = po_follow_point(s->course.follower, false);
   const po_kept_point *best = NULL;
-  double nearest = AGREEING_APPROACH * (1.0 + fabs(p.approach));
+  double nearest = PO_SAME_APPROACH * (1.0 + fabs(p.approach));
   for (size_t k = 0; k < at->kept.count; ++k) {
     const double apart = fabs(at->kept.points[k].approach - p.approach);
     if (fabs(at->kept.points[k].load - p.load) < load_tolerance(s, p.load) && apart < nearest) {

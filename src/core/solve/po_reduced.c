@@ -37,10 +37,6 @@ static const double ENOUGH = 0.5;
 /* Ranges between two traces; and how many traces in a row may fail. */
 enum { APART = 2, FAILURES = 4 };
 
-/* The same minimum of the load by a trace and followed to it: the greatest difference of the loads,
- * in tolerances of the trace, and of the approaches, relative to 1 + its modulus. */
-static const double SAME_LOAD = 10.0, SAME_APPROACH = 1e-2;
-
 double po_reduced_width(const po_scene *scene) {
   const double length = po_scene_is_wavy(scene) ? po_initial_gap_detail(scene) : INFINITY;
   return 1.0 / (po_scene_coupling(scene) * fmin(length, po_scene_gamma(scene)));
@@ -178,7 +174,7 @@ static const po_kept_point *begin_of(const po_range_trace *t, const po_kept_poin
 /* The jump of loading beyond which the pull-off is that of the trace; NULL: none. */
 static const po_kept_point *jump_of(const po_range_trace *t) {
   const double approach = t->result.pull_off.pressed.approach;
-  const double close = SAME_APPROACH * (1.0 + fabs(approach));
+  const double close = PO_SAME_APPROACH * (1.0 + fabs(approach));
   for (size_t k = 0; k < t->kept.count; ++k) {
     const po_kept_point *p = &t->kept.points[k];
     if (p->kind == PO_POINT_APPROACH_MAX && fabs(p->approach - approach) < close)
@@ -233,8 +229,8 @@ static bool is_same(const po_request *request, const po_range_trace *t, const po
                     double load, double load_error, double approach) {
   const po_special_point *p = &track->at[t->at].point;
   const double tolerance = OF_TOLERANCE * request->mesh.tolerance * fabs(load);
-  return fabs(load - p->load) <= SAME_LOAD * tolerance + p->load_error + load_error &&
-         fabs(approach - p->approach) <= SAME_APPROACH * (1.0 + fabs(p->approach));
+  return fabs(load - p->load) <= PO_SAME_LOAD * tolerance + p->load_error + load_error &&
+         fabs(approach - p->approach) <= PO_SAME_APPROACH * (1.0 + fabs(p->approach));
 }
 
 /* Whether it is the pull-off there. */

@@ -72,6 +72,8 @@ enum { LONG_TRACE = 1000 };
 
 const double PO_FARTHER = 1.5;
 
+const double PO_SAME_LOAD = 10.0, PO_SAME_APPROACH = 1e-2;
+
 enum { MOST_MESHES = 4 };
 
 /* A trace begins at least this far below approach_end and the approach of the preload, eps. */

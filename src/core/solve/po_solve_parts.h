@@ -19,6 +19,11 @@ typedef struct {
   bool met;      /* the preload is met before it */
 } po_kept_point;
 
+/* A special point that was followed to a scene and one of its trace are the same if their loads
+ * differ by at most PO_SAME_LOAD relative tolerances, and their approaches by at most
+ * PO_SAME_APPROACH relative to 1 + |approach|. */
+extern const double PO_SAME_LOAD, PO_SAME_APPROACH;
+
 /* Which special points of a trace are kept. But for folds, errors are then estimated for minima of
  * the load only. */
 typedef enum {
