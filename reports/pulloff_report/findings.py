@@ -12,9 +12,9 @@ from .words import (CHECK_VERDICTS, VERDICT_WORDS, count, date, listing, lower_f
                     signed, sweep_label, value_of)
 
 FAILING = tuple(name for name in VERDICTS if name not in PASSING + NO_VERDICT)
-NOTABLE = ("improved", "slack")   # verdicts that pass and are counted separately
+NOTABLE = ("slack",)              # verdicts that pass and are counted separately
 MOST_FAILURES = 6                 # failing checks named on the first page
-# References that are this program itself: such a check is bookkeeping, as that of a pin.
+# References that are this program itself: such a check is bookkeeping.
 OURSELVES = ("traced", "every_scene")
 # Error estimates that a solve states with its pull-off, by the quantity they belong to.
 ESTIMATES = {"pull_off_force": "error_estimate", "pull_off_approach": "approach_error_estimate"}
@@ -28,7 +28,7 @@ EXTREMES = ("tabor", "amplitude", "wavelength", "radius")   # parameters whose r
 
 def is_physics(check):
     """Whether a check compares with something that this program did not compute."""
-    return check["ledger"] != "pin" and check.get("reference") not in OURSELVES
+    return check.get("reference") not in OURSELVES
 
 
 def paper(judged):
@@ -114,7 +114,7 @@ def physics(run):
     parts = [" and ".join(lost) + "."] if lost else []
     others = sum(not is_physics(check) for check in run.checks())
     if others and checks:
-        parts.append(f"With {count(others, 'pin and repetition', 'pins and repetitions')}, which compare this program with itself, there are "
+        parts.append(f"With {count(others, 'repetition', 'repetitions')}, of scenes by this program itself, there are "
                      f"{count(len(checks) + others, 'check')}.")
     worst, estimate = worst_check(run), worst_estimate(run)
     if worst:
@@ -130,7 +130,7 @@ def physics(run):
 def bookkeeping(run, same, planted, judged, tests):
     """Whether a result changed, whether a fault would be noticed, and whether the tests pass: (passing, total, words) of each."""
     checks = [check for check in run.checks() if not is_physics(check)]
-    found = [(sum(check["verdict"] in PASSING for check in checks), len(checks), "pins, counters of work and repeated traces agree")]
+    found = [(sum(check["verdict"] in PASSING for check in checks), len(checks), "repeated traces agree")]
     if same:
         found.insert(0, (same["identical"], same["compared"], "results are identical to the last bit with those of the maintainers"
                          + (f" (the largest difference is {same['largest'][0]:.2g} of the force: {same['largest'][2]}, case "

@@ -1,4 +1,4 @@
-"""How many results are identical to the last bit with the stored ones (cases/pins/CASE.digests.csv)."""
+"""How many results are identical to the last bit with the stored ones (cases/pins/CASE.csv)."""
 
 import math
 
@@ -19,7 +19,7 @@ def compare(run, references):
     """
     compared, different = 0, []
     for case in run.cases:
-        table = references.table(f"pins/{case.name}.digests.csv")
+        table = references.table(f"pins/{case.name}.csv")
         # a number names the same point only as long as the scenes are those of the stored results
         other = table is not None and table.header.get("scenes") != case.record.get("scenes")
         stored = {} if table is None or other else {

@@ -18,9 +18,8 @@ CHECK = {"id": str, "quantity": str, "obtained": NUMBER, "expected": NUMBER, "er
          "kind": str, "tolerance": NUMBER, "ratio": NUMBER, "ledger": str, "verdict": str,
          "because": str}
 LEFT_OUT = {"quantity": str, "reference": str, "stand_in": str}
-VERDICTS = ("identical", "within", "outside", "no_result", "missing_reference", "improved", "regressed", "moved",
-            "wrong_and_frozen", "slack", "not_reachable")
-PASSING = ("identical", "within", "improved", "slack", "not_reachable")
+VERDICTS = ("within", "outside", "no_result", "missing_reference", "slack", "not_reachable")
+PASSING = ("within", "slack", "not_reachable")
 NO_VERDICT = ("no_result", "missing_reference")
 TYPE_NAMES = {str: "a string", bool: "true or false", int: "a whole number", list: "a list",
               dict: "an object", NUMBER: "a number or null"}

@@ -30,7 +30,7 @@ class References:
 
 def file_name(reference):
     """"reference/feng.csv" -> "feng.csv", "reference/published/a.csv" -> "published/a.csv",
-    "cases/pins/fig03.csv" -> "pins/fig03.csv"; "bradley", built in, stays as it is."""
+    "bradley", built in, stays as it is."""
     folder, name = os.path.split(reference or "")
     kind = os.path.basename(folder)
-    return f"{kind}/{name}" if kind in ("pins", "published") else name
+    return f"{kind}/{name}" if kind == "published" else name

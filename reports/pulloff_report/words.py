@@ -38,26 +38,12 @@ QUANTITIES = {
     "jump_load_after": "Load after a jump W̄",
     "jump_energy_lost": "Energy lost in a jump, in πwRε",
     "curve": "Loading curve, distance along its normal",
-    "work_points": "Work: equilibria",
-    "work_newton_iterations": "Work: Newton iterations",
-    "work_factorizations": "Work: factorisations",
-    "work_kernel_evaluations": "Work: evaluations of the kernel",
-    "work_nodes": "Work: nodes",
 }
 
-VERDICT_WORDS = {"identical": "identical", "within": "within", "outside": "outside", "no_result": "no result",
-                 "missing_reference": "no reference", "improved": "improved",
-                 "regressed": "regressed", "moved": "moved", "wrong_and_frozen": "wrong and frozen",
+VERDICT_WORDS = {"within": "within", "outside": "outside", "no_result": "no result", "missing_reference": "no reference",
                  "slack": "slack", "not_reachable": "not reachable", "failed": "failed"}
-VERDICT_SIGNS = {"identical": "✓", "within": "✓", "outside": "✗", "no_result": "∅", "missing_reference": "?",
-                 "improved": "✓", "regressed": "✗", "moved": "✗", "wrong_and_frozen": "✗",
-                 "slack": "✓", "not_reachable": "–", "failed": "∅"}
+VERDICT_SIGNS = {"within": "✓", "outside": "✗", "no_result": "∅", "missing_reference": "?", "slack": "✓", "not_reachable": "–", "failed": "∅"}
 VERDICT_MEANINGS = {
-    "identical": "the value is its pin, to the last bit",
-    "improved": "the value moved from its pin towards every oracle, or the work decreased; the new value can be accepted",
-    "regressed": "the value moved from its pin away from an oracle, or the work increased",
-    "moved": "the value moved from its pin, and there is no oracle to judge the change",
-    "wrong_and_frozen": "the value equals its pin but is outside the tolerance of an oracle",
     "slack": "within the tolerance, which is more than a thousand times the largest error"}
 CLAIM_VERDICTS = {"reproduced": "reproduced", "within_reading": "reproduced within reading accuracy",
                   "depends": "dependent on a choice that the paper leaves open", "contradicted": "contradicted",
@@ -72,8 +58,7 @@ CHOICE_WORDS = {"reproduced": "holds", "within_reading": "holds within reading a
 CLAIM_SIGNS = {"reproduced": "✓", "within_reading": "≈", "depends": "◐", "contradicted": "✗", "not_testable": "–",
                "no_result": "∅", "checked": "=", "check_failed": "≠"}
 LEDGERS = {"oracle": "an exact or highly accurate value from an independent computation",
-           "published": "a published value with its uncertainty",
-           "pin": "the value of this program that was last accepted, to detect changes"}
+           "published": "a published value with its uncertainty"}
 
 
 def printable(text):

@@ -339,6 +339,19 @@ void po_csv_seal(const po_text *header, const po_text *rows, po_text *file,
   file->failed = file->failed || header->failed || rows->failed;
 }
 
+po_status po_csv_check_seal(const po_csv *csv) {
+  const po_csv_header *digest = po_csv_find_header(csv, "sha256");
+  if (!digest)
+    return po_fail(PO_CANNOT_READ, "%s:%zu: the header sha256 is missing", csv->path,
+                   csv->column_line);
+  if (strcmp(digest->value, csv->digest) != 0)
+    return po_fail(PO_CANNOT_READ,
+                   "%s:%zu: sha256 is %.16s...: expected %.16s..., the digest of all other lines "
+                   "(damaged, or edited by hand)",
+                   csv->path, digest->line, digest->value, csv->digest);
+  return PO_OK;
+}
+
 void po_csv_add_row(po_text *text, const double *values, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     char number[PO_NUMBER_LENGTH];

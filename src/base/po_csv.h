@@ -73,6 +73,10 @@ po_status po_csv_number(const po_csv *csv, size_t row, size_t column, double *va
 void po_csv_seal(const po_text *header, const po_text *rows, po_text *file,
                  char digest[PO_DIGEST_LENGTH]);
 
+/* Checks that the table has a header sha256, and that it is the checksum of the table. Status:
+ * PO_CANNOT_READ with file and line. */
+po_status po_csv_check_seal(const po_csv *csv);
+
 /* Appends one row of numbers. Each number is printed so that it reads back to the same double. */
 void po_csv_add_row(po_text *text, const double *values, size_t count);
 

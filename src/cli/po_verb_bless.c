@@ -9,19 +9,19 @@
 
 static const char HELP[] =
     "Usage: pulloff bless [OPTION]... CASE... --reason TEXT\n"
-    "Accepts the present results of cases: their digests, with which verify compares to the last\n"
-    "bit, and the expected values of checks against the reference pin. First solves the points\n"
-    "that have no valid record. Digests are written to pins/CASE.digests.csv and pins to\n"
-    "pins/CASE.csv in the folder of the case file, with the date, the author, the version of the\n"
-    "program and the reason. Prints by how much each pin moved. Refuses if no reason is given, if\n"
-    "a solve failed (exit code 3), or if a check against an oracle does not pass or a stored "
-    "result\n"
-    "was altered (exit code 1).\n"
+    "Accepts the present results of cases: their digests and their counters of work, with which\n"
+    "verify compares. First solves the points that have no valid record. Writes pins/CASE.csv in\n"
+    "the folder of the case file, with the date, the author, the version of the program and the\n"
+    "reason. Prints by how much results and work differ from the stored ones. Refuses if no "
+    "reason\n"
+    "is given, if a solve failed (exit code 3), or if a check against an oracle does not pass or "
+    "a\n"
+    "stored result was altered (exit code 1).\n"
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --reason TEXT     why the values are accepted, in one line (required)\n"
     "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP
-        PO_SESSION_SOLVE_HELP "  -h, --help        print this text\n"
+        PO_SESSION_TIME_HELP PO_SESSION_FRESH_HELP "  -h, --help        print this text\n"
     "\n"
     "Example: pulloff bless smoke --reason \"Newton stops two digits later\"\n";
 
@@ -31,7 +31,7 @@ typedef struct {
 } bless_line;
 
 static const po_option OPTIONS[] = {
-    PO_SESSION_CASE_OPTIONS, PO_SESSION_SUITE, PO_TEXT("reason", bless_line, reason, NULL), {0}};
+    PO_SESSION_OWN_OPTIONS, PO_SESSION_SUITE, PO_TEXT("reason", bless_line, reason, NULL), {0}};
 
 /* The author of the pins: user.name of git, or else the name of the account. */
 static po_status find_who(char who[128]) {
@@ -79,12 +79,10 @@ int po_verb_bless(int argc, char **argv) {
     return po_options_end(status);
   if (!line.reason)
     status = po_fail(PO_BAD_INPUT, "bless needs --reason TEXT (see pulloff bless --help)");
-  if (!status && session->manifest_count)
-    status = po_session_open_one(session, &options);
-  else if (!status)
+  if (!status)
     status = open_several(session, &options);
-  for (size_t r = 0; !status && r < session->run_count; ++r)
-    status = po_bless_check_request(session->runs[r].plan, line.reason);
+  if (!status)
+    status = po_bless_check_reason(line.reason);
   if (!status)
     status = po_session_solve(session);
   if (!status)

@@ -60,15 +60,7 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
     return po_print_document(po_explain_json(run, choice));
   po_text text = {0};
   po_explain_text(run, choice, &text);
-  const po_status status = po_text_print(&text);
-  bool lacking = false;
-  for (po_finding f = {0}; po_finding_next(run, &f);)
-    lacking = lacking ||
-              (f.item && f.item->check->type == PO_REFERENCE_PINS &&
-               f.item->verdict == PO_MISSING_REFERENCE && po_explain_concerns(run, choice, &f));
-  if (!status && lacking)
-    po_print_bless(run->plan->kase);
-  return status;
+  return po_text_print(&text);
 }
 
 static int code_of(const po_case_run *run, const po_explain_choice *choice) {

@@ -21,7 +21,7 @@ static const char HELP[] =
     "\n"
     "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";
 
-static const po_option OPTIONS[] = {PO_SESSION_SOLVER_OPTIONS, {0}};
+static const po_option OPTIONS[] = {PO_SESSION_SOLVER_OPTIONS, PO_SESSION_OUTPUT, {0}};
 
 static po_status put_together(po_session *session, const po_merge *merge) {
   session->time_limit = merge->time_limit;

@@ -8,7 +8,6 @@
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_order.h"
-#include "po_pins.h"
 #include "po_plan.h"
 #include "po_print.h"
 #include "po_solve.h"
@@ -101,12 +100,6 @@ static po_status print_plan(const po_plan *plan) {
   json_decref(lines);
   if (!status)
     status = print_needs(plan);
-  bool lacking = false;
-  for (unsigned c = 0; c < kase->file->checks_count; ++c)
-    lacking = lacking || (kase->file->checks[c].type == PO_REFERENCE_PINS &&
-                          !po_pins_exist(&plan->references[c]));
-  if (lacking)
-    po_print_bless(kase);
   return status;
 }
 

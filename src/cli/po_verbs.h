@@ -23,7 +23,7 @@ int po_verbs_run(int argc, char **argv);
   X(merge, "combine the shards of a run") \
   X(verify, "compare the results of cases with references and print the verdicts") \
   X(explain, "explain the checks that are not within their tolerance") \
-  X(bless, "accept the values of a case as its pins") \
+  X(bless, "accept the results of a case as its pins") \
   X(conform, "test whether an external solver follows the protocol") \
   X(seal, "make reference tables of CSV files") \
   X(report, "write the report of a run")

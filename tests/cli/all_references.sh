@@ -42,7 +42,7 @@ damaged 'sha256 is ' narrow
 damaged 'the last line has no newline: the file is truncated' truncate -s -2
 damaged 'sha256 is ' alter
 damaged 'sha256 is ' sed -i '/^# uncertainty/ s/: /: 0/'
-damaged 'sha256 is ' sed -i 's/^# kind: oracle/# kind: pin/'
+damaged 'sha256 is ' sed -i 's/^# kind: oracle/# kind: published/'
 
 # Without a case, verify checks all tables before it solves anything. With a case, it checks the tables of the case.
 sed -i '$d' "$folder/struve.csv"

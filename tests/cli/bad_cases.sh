@@ -89,10 +89,6 @@ spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [0.1, 0.10]\nwant/' \
 spoilt 's/^want/sweep:\n  - key: approach_end\nwant/' \
   '12: sweep[[]1[]].values is missing: expected a list of values, or from, to and count'
 spoilt 's/pull_off_force/pull_on/' '13: checks[[]1[]].quantity is pull_on: expected pull_off_force, *'
-spoilt 's/pull_off_force/work/' \
-  '14: checks[[]1[]].reference is reference/table.csv: expected pin, as work has no other reference'
-spoilt 's/pull_off_force/curve/; s/reference: .*/reference: pin/' \
-  '13: checks[[]1[]].quantity is curve: expected folds and extrema, as a curve itself cannot be pinned'
 spoilt 's/tolerance: 1e-9/tolerance: 0/' \
   '15: checks[[]1[]].tolerance is 0: expected a finite number > 0'
 spoilt 's/tolerance: 1e-9/tolerance: .nan/' \
@@ -102,9 +98,9 @@ spoilt 's/kind: abs/kind: roughly/' \
 spoilt 's/pull_off_force/solved_share/' \
   '14: checks[[]1[]].reference is reference/table.csv: expected every_scene, *'
 spoilt 's/reference: .*/reference: every_scene/' \
-  '14: checks[[]1[]].reference is every_scene: expected bradley, pin or the path of a CSV file'
-spoilt 's/pull_off_force/jumps/; s/reference: .*/reference: pin/' \
-  '14: checks[[]1[]].reference is pin: expected the path of a CSV file, as only tables contain hysteresis'
+  '14: checks[[]1[]].reference is every_scene: expected bradley or the path of a CSV file'
+spoilt 's/pull_off_force/jumps/; s/reference: .*/reference: bradley/' \
+  '14: checks[[]1[]].reference is bradley: expected the path of a CSV file, as only tables contain hysteresis'
 spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/kind: abs/kind: rel/' \
   '16: checks[[]1[]].kind is rel: expected abs, as a share is absolute'
 spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/1e-9/1/' \
@@ -112,7 +108,7 @@ spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/;
 spoilt 's/pull_off_force/residual/' \
   '14: checks[[]1[]].reference is reference/table.csv: expected zero, *'
 spoilt 's/reference: .*/reference: zero/' \
-  '14: checks[[]1[]].reference is zero: expected bradley, pin or the path of a CSV file'
+  '14: checks[[]1[]].reference is zero: expected bradley or the path of a CSV file'
 spoilt 's/pull_off_force/moved_force/; s/reference: .*/reference: zero/; s/kind: abs/kind: rel/' \
   '16: checks[[]1[]].kind is rel: expected abs, as the reference is zero'
 spoilt '/because/d' '*: checks[[]1[]].because is missing: expected the reason for the tolerance'

@@ -29,7 +29,7 @@ refused 4 'reference/table.csv:10: the header units is missing: expected *'
 sed -i 's/^# units:.*/# units:/' "$table"
 refused 4 'reference/table.csv:5: the header units is empty'
 sed -i 's/^# kind:.*/# kind: rumour/' "$table" && seal "$table"
-refused 4 'reference/table.csv:3: kind is rumour: expected oracle, published or pin'
+refused 4 'reference/table.csv:3: kind is rumour: expected oracle or published'
 sed -i 's/^# units.*/# units without a colon/' "$table"
 refused 4 "reference/table.csv:5: '# units without a colon' is not a header: *"
 sed -i 's/^# units.*/&\n&/' "$table"

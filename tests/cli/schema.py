@@ -97,7 +97,6 @@ checks:
      when: [{key: tabor, values: [1]}]}
   - {quantity: pull_off_force, reference: reference/published/none.csv, stand_in: reference/feng_pull_off.csv,
      tolerance: 1e-2, kind: abs, because: b}
-  - {quantity: fold_count, reference: pin, tolerance: 1e-9, kind: abs, because: b}
 measure: [{quantity: curve, reference: reference/feng_curves.csv}]
 """, 1),
     "followed": ("""

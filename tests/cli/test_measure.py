@@ -132,12 +132,11 @@ RING, TABOR, FORCE = "{scheme: ring, nodes: 63}", "tabor: 0.7}", "force, referen
     ("{key: tabor, values: [0.7]}, {key: scheme, values: [ring]}",
      "{key: radius, values: [100]}, {key: scheme, values: [ring, panel, triangle]}",
      "13: leave_out is *: expected rules that do not exclude all points"),
-    ("quantity: curve", "quantity: work", "20: measure[[]3].quantity is work: expected pull_off_force, *"),
     # a quantity without any reference is not computed
     *(("quantity: curve", "quantity: " + quantity, f"20: measure[[]3].quantity is {quantity}: expected pull_off_force, *")
       for quantity in ("residual", "moved_force", "energy_defect", "reverse_trace", "hysteresis_force", "jumps")),
     *((FORCE, "force, reference: " + reference, f"18: measure[[]1].reference is {reference}: expected bradley or *")
-      for reference in ("zero", "traced", "every_scene", "pin")),
+      for reference in ("zero", "traced", "every_scene")),
     ("quantity: curve", "quantity: solved_share", "20: measure[[]3].quantity is solved_share: expected *"),
     (FORCE, FORCE + ", tolerance: 1", "18: measure[[]1].tolerance is unknown: expected one of quantity, reference, when")])
 def test_wrong_cases(measured, old, new, message):

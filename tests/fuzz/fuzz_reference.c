@@ -75,8 +75,7 @@ static void ask(const po_reference *reference, const po_request *request) {
     size_t count = 0;
     if (quantity < PO_FOLD_COUNT)
       fuzz_require_message(po_reference_find(reference, (po_quantity)quantity, request, &number));
-    else if (quantity <= PO_CURVE &&
-             !(reference->type == PO_REFERENCE_PINS && quantity == PO_CURVE)) {
+    else if (quantity <= PO_CURVE) {
       const po_status status =
           po_reference_points(reference, (po_quantity)quantity, request, NULL, &points, &count);
       fuzz_require(!status || count == 0, "a reference that fails has points");
@@ -85,8 +84,7 @@ static void ask(const po_reference *reference, const po_request *request) {
     free(points);
   }
   double approach = 0;
-  if (reference->type != PO_REFERENCE_PINS)
-    fuzz_require_message(po_reference_complete_to(reference, request, &approach));
+  fuzz_require_message(po_reference_complete_to(reference, request, &approach));
 }
 
 static void ask_all(const po_reference *reference) {
@@ -117,15 +115,18 @@ static void open_pins(const fuzz_part *table) {
   po_case_file file = {.name = (char *)"table"};
   const po_case kase = {
       .path = (char *)fuzz_path("case.yaml"), .shown = (char *)"case.yaml", .file = &file};
-  po_reference pins;
+  po_pins pins;
   fuzz_write(fuzz_path("pins/table.csv"), table->bytes, table->size);
-  const po_status status = po_pins_open(&kase, "pin", NULL, &pins);
+  const po_status status = po_pins_open(&kase, &pins);
   fuzz_require_message(status);
-  if (status)
-    return;
-  fuzz_require(po_pins_exist(&pins), "the pins are not found");
-  ask_all(&pins);
-  po_reference_close(&pins);
+  for (size_t row = 0; !status && row < pins.table.row_count; ++row) {
+    size_t at = 0;
+    po_pin pin;
+    fuzz_require(po_pins_find(&pins, row, po_csv_cell(&pins.table, row, 0), &at),
+                 "the pins of a point are not found");
+    fuzz_require_message(po_pins_read(&pins, at, &pin));
+  }
+  po_pins_close(&pins);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -76,11 +76,12 @@ static void tell(po_case_run *run, const char *output) {
   if (status)
     return;
   fuzz_require(run->kept, "results that can be read are solved again");
+  const po_identity none = {0};
   po_text text = {0};
   po_explain_text(run, &all, &text);
   po_verdicts_table(run, 1, &text);
-  po_verdicts_tap(run, 1, &text);
-  po_verdicts_junit(run, 1, &text);
+  po_verdicts_tap(run, &none, 1, &text);
+  po_verdicts_junit(run, &none, 1, &text);
   fuzz_require(!text.failed, "the verdicts cannot be printed: %s", po_message());
   fuzz_require_words("a verdict", po_text_string(&text), true);
   po_text_clear(&text);

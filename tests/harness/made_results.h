@@ -10,7 +10,7 @@
 #include "po_compare.h"
 #include "po_run.h"
 
-enum { ORACLE, OTHER_ORACLE, PUBLISHED, PIN, WORK, CHECKS };
+enum { ORACLE, OTHER_ORACLE, PUBLISHED, CHECKS };
 
 static po_check made_checks[CHECKS];
 static po_reference made_references[CHECKS];
@@ -29,9 +29,9 @@ static inline void make_check(int which, const char *reference, po_ledger ledger
                                   .kind_text = (char *)"abs",
                                   .because = (char *)"it is made up",
                                   .type = po_reference_type_of(reference),
-                                  .quantity = which == WORK ? PO_WORK : PO_PULL_OFF_FORCE,
+                                  .quantity = PO_PULL_OFF_FORCE,
                                   .tolerance = tolerance,
-                                  .kind = which == WORK ? PO_TOLERANCE_REL : PO_TOLERANCE_ABS};
+                                  .kind = PO_TOLERANCE_ABS};
   made_references[which] = (po_reference){.name = made_checks[which].reference, .ledger = ledger};
 }
 
@@ -39,9 +39,6 @@ static inline void make_run(void) {
   make_check(ORACLE, "reference/sage.csv", PO_LEDGER_ORACLE, 1e-3);
   make_check(OTHER_ORACLE, "reference/seer.csv", PO_LEDGER_ORACLE, 1e-3);
   make_check(PUBLISHED, "reference/paper.csv", PO_LEDGER_PUBLISHED, 1e-2);
-  make_check(PIN, "pin", PO_LEDGER_PIN, 1e-9);
-  make_check(WORK, "pin", PO_LEDGER_PIN, 0.03);
-  made_references[PIN].type = made_references[WORK].type = PO_REFERENCE_PINS;
   made_points[0] = (po_point){.id = "0", .label = (char *)"tabor=1"};
   made_points[1] = (po_point){.id = "1", .label = (char *)"tabor=2.385"};
   made_file = (po_case_file){.name = (char *)"made", .checks = made_checks, .checks_count = CHECKS};

@@ -2,6 +2,7 @@
 #include "made_results.h"
 
 #include "po_explain.h"
+#include "po_record.h"
 #include "run.h"
 
 static const double NONE = (double)NAN;
@@ -9,31 +10,24 @@ static const double NONE = (double)NAN;
 /* The value of one number in each reference (NAN: none), the result, the reference whose check is
  * explained, and the reported side with words of the reason. */
 static const struct {
-  double oracle, other, paper, pin, obtained;
+  double oracle, other, paper, obtained;
   int asked;
   const char *side, *why;
 } SIDES[] = {
-    {1.5, NONE, NONE, 1.5001, 1.503, ORACLE, "program", "the result differs from both"},
-    {1.5, NONE, NONE, 1.504, 1.503, ORACLE, "program", "and the error decreased"},
-    {1.5, NONE, NONE, 1.5001, 1.503, PIN, "program",
-     "its error against reference/sage.csv increased"},
-    {1.5, 1.503, NONE, NONE, 1.503, ORACLE, "reference", "reference/seer.csv (oracle) agrees"},
-    {1.5, NONE, 1.504, NONE, 1.503, ORACLE, "reference", "reference/paper.csv (published) agrees"},
-    {1.5, 1.5001, NONE, NONE, 1.503, ORACLE, "program", "seer.csv (oracle) does not agree"},
-    {1.5, NONE, NONE, NONE, 1.503, ORACLE, "program", "no other reference covers this number"},
-    {1.5, NONE, 1.55, NONE, 1.5001, PUBLISHED, "publication", "sage.csv (oracle) agrees"},
-    {1.5, NONE, 1.50, NONE, 1.55, PUBLISHED, "program", "does not agree with the result either"},
-    {NONE, NONE, 1.55, NONE, 1.5001, PUBLISHED, "publication", "an oracle would decide"},
-    {NONE, NONE, NONE, 1.5, 1.5001, PIN, "program", "no oracle decides"},
-    {1.5, NONE, NONE, 1.5002, 1.5001, PIN, "pin", "the error decreased: bless it"},
-    {1.5, NONE, NONE, 1.7, 1.5001, PIN, "pin", "the pin was altered"},
-    {1.5, NONE, NONE, 1.5002, 1.5002, PIN, "none", ""},
+    {1.5, 1.503, NONE, 1.503, ORACLE, "reference", "reference/seer.csv (oracle) agrees"},
+    {1.5, NONE, 1.504, 1.503, ORACLE, "reference", "reference/paper.csv (published) agrees"},
+    {1.5, 1.5001, NONE, 1.503, ORACLE, "program", "seer.csv (oracle) does not agree"},
+    {1.5, NONE, NONE, 1.503, ORACLE, "program", "no other reference covers this number"},
+    {1.5, NONE, 1.55, 1.5001, PUBLISHED, "publication", "sage.csv (oracle) agrees"},
+    {1.5, NONE, 1.50, 1.55, PUBLISHED, "program", "does not agree with the result either"},
+    {NONE, NONE, 1.55, 1.5001, PUBLISHED, "publication", "an oracle would decide"},
+    {1.5, NONE, NONE, 1.5002, ORACLE, "none", ""},
 };
 
 TABLE_TEST(the_side_at_fault, SIDES) {
-  const double expected[] = {SIDES[_i].oracle, SIDES[_i].other, SIDES[_i].paper, SIDES[_i].pin};
+  const double expected[] = {SIDES[_i].oracle, SIDES[_i].other, SIDES[_i].paper};
   size_t asked = 0;
-  for (int which = 0; which < WORK; ++which) {
+  for (int which = 0; which < CHECKS; ++which) {
     if (isnan(expected[which]))
       continue;
     const size_t place = found(which, 0, "pull_off_force", "", SIDES[_i].obtained, expected[which],
@@ -41,69 +35,42 @@ TABLE_TEST(the_side_at_fault, SIDES) {
     if (which == SIDES[_i].asked)
       asked = place;
   }
-  po_judge(&made_run.check_results);
   po_blame blame;
   po_blame_find(&made_run, &made_run.check_results.items[asked], &blame);
   ck_assert_str_eq(blame.side, SIDES[_i].side);
   ck_assert_msg(strstr(blame.why, SIDES[_i].why) != NULL, "%s", blame.why);
 }
 
-/* The pins of an external solver: the solver changed, not this program. */
+/* The stored force, whether the digest is the stored one, and what is reported of a force of 1.503
+ * that an oracle, 1.5 with tolerance 1e-3, contradicts. */
 static const struct {
-  double oracle, pin;
+  const char *force;
+  bool same;
   const char *side, *why;
-} PINS_OF_SOLVER[] = {
-    {NONE, 1.5001, "solver", "the solver, its compiler or its libraries changed, and no oracle"},
-    {1.5, 1.5001, "solver", "the solver changed, and its error against reference/sage.csv"},
-    {1.5026, 1.5020, "pin", "the solver changed and the error decreased: bless it"},
+} STORED[] = {
+    {"1.503", true, "reference", "see git log -- reference/sage.csv"},
+    {"1.5001", false, "program", "the stored value 1.5001 agree, the result differs from both"},
+    {"1.504", false, "program",
+     "not the stored one, 1.504, either: the program changed, and the error decreased"},
+    {"1.502", false, "program", "not the stored one either: the program changed"},
+    {"-", false, "program", "not the stored one either: the program changed"},
 };
 
-TABLE_TEST(the_solver_at_fault, PINS_OF_SOLVER) {
-  const po_solver solver = {.name = (char *)"mine"};
-  made_plan.solver = &solver;
-  if (!isnan(PINS_OF_SOLVER[_i].oracle))
-    found(ORACLE, 0, "pull_off_force", "", 1.503, PINS_OF_SOLVER[_i].oracle, 1e-10);
-  const size_t pin = found(PIN, 0, "pull_off_force", "", 1.503, PINS_OF_SOLVER[_i].pin, 0);
-  po_judge(&made_run.check_results);
-  po_blame blame;
-  po_blame_find(&made_run, &made_run.check_results.items[pin], &blame);
-  ck_assert_str_eq(blame.side, PINS_OF_SOLVER[_i].side);
-  ck_assert_msg(strstr(blame.why, PINS_OF_SOLVER[_i].why) != NULL, "%s", blame.why);
-}
-
-/* The pin passes and the oracle fails; `checked` is the header of the pins about that oracle. */
-static const struct {
-  const char *checked, *side, *why;
-} FROZEN[] = {
-    {"reference/sage.csv sha256 0123", "tolerance", "the table has not changed"},
-    {"reference/sage.csv sha256 4567", "reference", "the reference was altered"},
-    {"reference/seer.csv sha256 0123", "program", "was not among the oracles"},
-};
-
-TABLE_TEST(wrong_and_frozen, FROZEN) {
-  po_csv_header header = {.key = (char *)"checked 1", .value = (char *)FROZEN[_i].checked};
-  made_references[PIN].table = (po_csv){.headers = &header, .header_count = 1};
-  made_references[WORK].table = made_references[PIN].table;
-  strcpy(made_references[ORACLE].table.digest, "0123");
+TABLE_TEST(the_stored_result_tells_what_changed, STORED) {
+  char digest[PO_RESULT_DIGEST_LENGTH] = "0123456789abcdef";
+  char *cells[] = {(char *)"0", digest,      (char *)STORED[_i].force,
+                   (char *)"9", (char *)"9", (char *)"9",
+                   (char *)"9", (char *)"9"};
+  made_points[0].request = po_request_default();
+  made_results[0].result = (po_result){.has_pull_off = true, .pull_off.force = 1.503};
+  if (STORED[_i].same)
+    ck_assert_int_eq(po_record_digest(&made_run, 0, digest), PO_OK);
+  made_plan.pins.table = (po_csv){.cells = cells, .row_count = 1, .column_count = 8};
   const size_t oracle = found(ORACLE, 0, "pull_off_force", "", 1.503, 1.5, 1e-10);
-  found(PIN, 0, "pull_off_force", "", 1.503, 1.503, 0);
-  po_judge(&made_run.check_results);
-  ck_assert_int_eq(verdict_of(oracle), PO_WRONG_AND_FROZEN);
   po_blame blame;
   po_blame_find(&made_run, &made_run.check_results.items[oracle], &blame);
-  ck_assert_str_eq(blame.side, FROZEN[_i].side);
-  ck_assert_msg(strstr(blame.why, FROZEN[_i].why) != NULL, "%s", blame.why);
-}
-
-/* A curve has no pin; the pins of the special points of the same point are used instead. */
-TEST(the_pins_of_a_point_are_used_for_its_curve) {
-  const size_t curve = found(ORACLE, 0, "curve", "", 0.01, 0, 1e-10);
-  found(PIN, 0, "fold_load", "jump_in-1/load", -0.7, -0.6999, 0);
-  po_judge(&made_run.check_results);
-  po_blame blame;
-  po_blame_find(&made_run, &made_run.check_results.items[curve], &blame);
-  ck_assert_str_eq(blame.side, "program");
-  ck_assert_ptr_nonnull(strstr(blame.why, "not the blessed value either"));
+  ck_assert_str_eq(blame.side, STORED[_i].side);
+  ck_assert_msg(strstr(blame.why, STORED[_i].why) != NULL, "%s", blame.why);
 }
 
 static po_special_point FOLDS[] = {

@@ -68,16 +68,13 @@ static void checks(po_text *text, size_t n) {
     po_text_add(text, CHECK "[3]}]}\n");
 }
 
-/* Pins and shares of the same points would be refused, so these belong to different points. */
-static void pins_and_shares(po_text *text, size_t n) {
+static void shares(po_text *text, size_t n) {
   add_sweep(text, 3);
   po_text_add(text, "checks:\n");
   for (size_t i = 1; i <= n; ++i)
     po_text_add(text,
-                "  - {quantity: %s, tolerance: 0.1, kind: abs, because: any, "
-                "when: [{key: radius, values: [%d]}]}\n",
-                i % 2 ? "pull_off_force, reference: pin" : "solved_share, reference: every_scene",
-                i % 2 ? 1 : 2);
+                "  - {quantity: solved_share, reference: every_scene, tolerance: 0.1, kind: abs, "
+                "because: any, when: [{key: radius, values: [2]}]}\n");
 }
 
 static void rules(po_text *text, size_t n) {
@@ -104,7 +101,7 @@ static const struct {
     {"keys of a mapping", keys, PO_BAD_INPUT},
     {"values of a condition and of a sweep", conditions, PO_OK},
     {"checks", checks, PO_OK},
-    {"pins and shares that may fail", pins_and_shares, PO_OK},
+    {"shares that may fail", shares, PO_OK},
     {"rules of what is left out, which exclude the same", rules, PO_OK},
     {"lines", lines, PO_OK},
 };

@@ -178,7 +178,7 @@ TEST(only_requested_solves_fail) {
   solved[5].asked = false;
   made_run.asked_count = COUNT - 1;
   ck_assert_uint_eq(po_case_run_failures(&made_run), 1);
-  po_verdicts_tap(&made_run, 1, &text);
+  po_verdicts_tap(&made_run, &(po_identity){0}, 1, &text);
   ck_assert_str_eq(po_text_string(&text),
                    "TAP version 13\n1..1\nnot ok 1 - made solve/made\n# time is up\n");
   po_text_clear(&text);

@@ -342,7 +342,7 @@ class Identity(unittest.TestCase):
             {"id": name, "label": name, "sweep": {"tabor": int(name)}, "digest": digest,
              "pull_off": None if force is None else {"force": force}} for name, digest, force in points])
         return identity.compare(types.SimpleNamespace(cases=[case]),
-                                types.SimpleNamespace(table=lambda name: table if name == "pins/made.digests.csv" else None))
+                                types.SimpleNamespace(table=lambda name: table if name == "pins/made.csv" else None))
 
     def test_all_are_identical(self):
         found = self.found([("0", "a", 1.5), ("1", "b", None)], [("0", "a", "1.5"), ("1", "b", "-")])

@@ -43,9 +43,6 @@ scene: {radius: 93, outer_radius: inf, scheme: triangle, nodes: 71}
 sweep: [{key: tabor, values: [0, 0.7, 2.385]}]
 want: [pull_off, folds, curve, profile, hysteresis, preload]
 checks:
-  - {quantity: pull_off_force, reference: pin, tolerance: 1e-9, kind: rel, because: b}
-  - {quantity: folds, reference: pin, tolerance: 1e-6, kind: abs, because: b}
-  - {quantity: work, reference: pin, tolerance: 0.5, kind: rel, because: b}
   - {quantity: pull_off_force, reference: reference/feng_pull_off.csv, tolerance: 0.3, kind: abs, because: b,
      as_if: [{key: tabor, values: [2]}], when: [{key: tabor, values: [2.385]}]}
 lines:

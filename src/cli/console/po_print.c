@@ -22,10 +22,6 @@ void po_print_solver(const po_solver *solver, FILE *stream) {
   po_text_clear(&command);
 }
 
-void po_print_bless(const po_case *kase) {
-  printf("to make the pins: pulloff bless %s --reason TEXT\n", po_case_word(kase));
-}
-
 po_status po_print_document(json_t *document) {
   po_text text = {0};
   po_json_print(document, &text);

@@ -24,9 +24,6 @@ po_status po_print_digest(json_t *document);
  * SI units. */
 po_status po_print_json(const po_request *request, const po_texts *given, const po_result *result);
 
-/* Prints the command that writes the pins of a case. */
-void po_print_bless(const po_case *kase);
-
 /* Prints the name of an external solver, its manifest, the value of its knob, and its command. */
 void po_print_solver(const po_solver *solver, FILE *stream);
 

@@ -37,17 +37,19 @@ po_option_taker po_session_take_jobs, po_session_take_points, po_session_take_sh
     po_session_take_solver;
 // clang-format off
 #define PO_SESSION_SUITE PO_TEXT("suite", po_session, suites, "names of suites")
+#define PO_SESSION_OUTPUT PO_OUTPUT(po_session, options.output, "the name of a folder")
 #define PO_SESSION_SOLVER_OPTIONS \
   {.name = "solver", .kind = PO_OPTION_IS_TAKEN, .take = po_session_take_solver}, \
-  PO_TEXT("knob", po_session, knob, "a value of the knob"), \
-  PO_OUTPUT(po_session, options.output, "the name of a folder")
+  PO_TEXT("knob", po_session, knob, "a value of the knob")
 
-/* Of a verb that takes one case, and of one that takes all. */
-#define PO_SESSION_CASE_OPTIONS \
-  PO_SESSION_SOLVER_OPTIONS, \
+/* Of a verb that takes results of this program only, of one that takes one case, and of one that
+ * takes all. */
+#define PO_SESSION_OWN_OPTIONS \
+  PO_SESSION_OUTPUT, \
   {.name = "jobs", .kind = PO_OPTION_IS_TAKEN, .place = offsetof(po_session, options.jobs), \
    .take = po_session_take_jobs, .letter = 'j'}, \
   PO_NUMBER("time-limit", po_session, time_limit, 0.0, "a finite number > 0"), PO_FLAG("fresh", po_session, options.fresh)
+#define PO_SESSION_CASE_OPTIONS PO_SESSION_SOLVER_OPTIONS, PO_SESSION_OWN_OPTIONS
 #define PO_SESSION_OPTIONS \
   PO_SESSION_CASE_OPTIONS, PO_SESSION_SUITE, {.name = "points", .kind = PO_OPTION_IS_TAKEN, .take = po_session_take_points}
 // clang-format on
@@ -64,15 +66,19 @@ po_session po_session_default(void);
   "  --points A[-B][,C[-D]]...  solve only points A to B, C to D of each case, counted from 0\n"   \
   "                    (default: all; at most 64 ranges, with A at most B and less than the\n"     \
   "                    number of points of the case); a later run of all points reuses them\n"
-#define PO_SESSION_SOLVE_HELP                                                                      \
+#define PO_SESSION_TIME_HELP                                                                       \
   "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"      \
-  "                    limit in the case file, if any)\n"                                          \
+  "                    limit in the case file, if any)\n"
+#define PO_SESSION_FRESH_HELP                                                                      \
+  "  --fresh           solve all points again, even those with a valid record\n"
+#define PO_SESSION_SOLVE_HELP                                                                      \
+  PO_SESSION_TIME_HELP                                                                             \
   "  --solver MANIFEST ask this external solver (doc/solvers.md) instead; may be given several\n"  \
   "                    times; pulloff is this program. Its records are in DIR/solvers/NAME.\n"     \
   "                    MANIFEST@VALUE names a value of its knob\n"                                 \
   "  --knob VALUE      value of the knob of the external solver (default: the last one of its\n"   \
-  "                    manifest); run and verify: all, each value as a solver\n"                   \
-  "  --fresh           solve all points again, even those with a valid record\n"
+  "                    manifest); run and verify: all, each value as a "                           \
+  "solver\n" PO_SESSION_FRESH_HELP
 
 /* The folder of the records; NULL: it is the default. */
 const char *po_session_output(const po_session *session);

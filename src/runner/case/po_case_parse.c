@@ -63,20 +63,7 @@ static po_status parse_repeats(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* What another machine may change by rounding, if the bits of this program are not the same there:
- * of a result, and of a counter of work. */
-static const char ROUNDING[] = "1e-9", ROUNDING_OF_WORK[] = "0.1";
-
-/* A check against pins needs no tolerance, since the values are the same to the last bit. */
-static po_status complete_check(po_check *check, unsigned number, const po_yaml *yaml) {
-  if (check->type == PO_REFERENCE_PINS && !check->tolerance_text && !check->kind_text &&
-      !check->because) {
-    check->tolerance_text =
-        po_copy_text(strcmp(check->quantity_text, "work") == 0 ? ROUNDING_OF_WORK : ROUNDING);
-    check->kind_text = po_copy_text("rel");
-    check->because = po_copy_text("rounding may differ on a machine that nobody has tried");
-    return check->tolerance_text && check->kind_text && check->because ? PO_OK : PO_NO_MEMORY;
-  }
+static po_status check_complete(const po_check *check, unsigned number, const po_yaml *yaml) {
   const char *missing = !check->tolerance_text ? "tolerance"
                         : !check->kind_text    ? "kind"
                         : !check->because      ? "because"
@@ -89,11 +76,10 @@ static bool is_blank(const char *text) {
 }
 
 /* Refuses the first rule that a check breaks. */
-static po_status check_rules(const po_case_file *file, const po_check *check, unsigned number,
-                             const po_yaml *yaml) {
-  static const char OF_VALUES[] = "bradley, pin or the path of a CSV file";
-  const bool table = check->type == PO_REFERENCE_TABLE, pin = check->type == PO_REFERENCE_PINS,
-             curve = check->quantity == PO_CURVE, share = check->quantity == PO_SOLVED_SHARE,
+static po_status check_rules(const po_check *check, unsigned number, const po_yaml *yaml) {
+  static const char OF_VALUES[] = "bradley or the path of a CSV file";
+  const bool table = check->type == PO_REFERENCE_TABLE, curve = check->quantity == PO_CURVE,
+             share = check->quantity == PO_SOLVED_SHARE,
              diagnostic = po_quantity_is(check->quantity, PO_OF_DIAGNOSTICS),
              relative = check->kind != PO_TOLERANCE_ABS;
   const struct {
@@ -117,12 +103,8 @@ static po_status check_rules(const po_case_file *file, const po_check *check, un
       {share && relative, "kind", "abs, as a share is absolute"},
       {share && check->tolerance >= 1, "tolerance", "the share that may fail, below 1"},
       {is_blank(check->because), "because", NULL},
-      {pin && po_keys_have(file->varied, PO_KEY_TIME_LIMIT), "reference",
-       "a reference other than pin, as pins do not depend on time_limit and it varies"},
-      {pin && curve, "quantity", "folds and extrema, as a curve itself cannot be pinned"},
-      {!pin && check->quantity == PO_WORK, "reference", "pin, as work has no other reference"},
-      {check->as_if_count && (pin || check->type == PO_REFERENCE_TRACED), "reference",
-       "a reference other than pin and traced, as as_if selects another scene"},
+      {check->as_if_count && check->type == PO_REFERENCE_TRACED, "reference",
+       "a reference other than traced, as as_if selects another scene"},
   };
   for (size_t i = 0; i < sizeof rules / sizeof *rules; ++i)
     if (rules[i].broken)
@@ -133,8 +115,7 @@ static po_status check_rules(const po_case_file *file, const po_check *check, un
   return PO_OK;
 }
 
-static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
-                             const po_yaml *yaml) {
+static po_status parse_check(po_check *check, unsigned number, const po_yaml *yaml) {
   static const char *const KINDS[] = {"abs", "rel", "ulp"};
   const int quantity = po_quantity_of_name(check->quantity_text);
   int kind = 0;
@@ -142,7 +123,7 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
     return po_fields_refuse(yaml, NULL, "checks[%u].quantity", number);
   check->quantity = (po_quantity)quantity;
   check->type = po_reference_type_of(check->reference);
-  const po_status complete = complete_check(check, number, yaml);
+  const po_status complete = check_complete(check, number, yaml);
   if (complete)
     return complete;
   if (!po_number_parse(check->tolerance_text, &check->tolerance))
@@ -153,7 +134,7 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   while (kind <= PO_TOLERANCE_ULP && strcmp(check->kind_text, KINDS[kind]) != 0)
     ++kind;
   check->kind = (po_tolerance_kind)kind;
-  return check_rules(file, check, number, yaml);
+  return check_rules(check, number, yaml);
 }
 
 /* A measurement compares with an independent value, and has no tolerance. */
@@ -220,40 +201,11 @@ static po_status check_concerned(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* Marks the points at which a share of the solves may fail. */
-static void mark_shares(const po_case *kase, bool *may_fail) {
-  for (unsigned k = 0; k < kase->file->checks_count; ++k)
-    for (size_t p = 0; kase->file->checks[k].quantity == PO_SOLVED_SHARE && p < kase->point_count;
-         ++p)
-      may_fail[p] =
-          may_fail[p] || po_check_concerns(&kase->file->checks[k], &kase->points[p].request);
-}
-
-/* A scene whose solve may fail cannot be pinned: the solve could succeed on the machine where it is
- * blessed and fail on another. */
-static po_status check_pinned(po_case *kase, const po_yaml *yaml) {
-  const po_case_file *file = kase->file;
-  bool *may_fail = po_allocate(kase->point_count, sizeof *may_fail);
-  if (!may_fail)
-    return PO_NO_MEMORY;
-  mark_shares(kase, may_fail);
-  po_status status = PO_OK;
-  for (unsigned i = 0; !status && i < file->checks_count; ++i)
-    for (size_t p = 0;
-         !status && file->checks[i].type == PO_REFERENCE_PINS && p < kase->point_count; ++p)
-      if (may_fail[p] && po_check_concerns(&file->checks[i], &kase->points[p].request))
-        status = po_fields_refuse(
-            yaml, "a reference other than pin where a solved_share lets solves fail",
-            "checks[%u].reference", i + 1);
-  free(may_fail);
-  return status;
-}
-
 static po_status parse_checks(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->checks_count; ++i)
-    status = parse_check(file, &file->checks[i], i + 1, yaml);
+    status = parse_check(&file->checks[i], i + 1, yaml);
   for (unsigned i = 0; !status && i < file->measure_count; ++i)
     status = parse_measure(&file->measure[i], i + 1, yaml);
   for (unsigned i = 0; !status && i < file->leave_out_count; ++i)
@@ -340,8 +292,7 @@ static po_status parse(po_case *kase, const po_yaml *yaml) {
   static po_status (*const STEPS[])(po_case *, const po_yaml *) = {
       parse_names,         parse_repeats,  po_case_files_resolve, po_case_sweep_parse,
       po_case_scene_parse, parse_checks,   po_case_lines_parse,   parse_series,
-      check_stand_ins,     po_case_expand, po_case_scene_check,   check_concerned,
-      check_pinned};
+      check_stand_ins,     po_case_expand, po_case_scene_check,   check_concerned};
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < sizeof STEPS / sizeof *STEPS; ++i)
     status = STEPS[i](kase, yaml);

@@ -26,7 +26,6 @@ const po_quantity_row PO_QUANTITIES[PO_QUANTITY_COUNT] = {
   [PO_MOVED_FORCE] = {"moved_force", "diagnostics.moved.force_excess", "approach", PO_OF_DIAGNOSTICS},
   [PO_ENERGY_DEFECT] = {"energy_defect", "diagnostics.energy_defect", "approach", PO_OF_DIAGNOSTICS},
   [PO_REVERSE_TRACE] = {"reverse_trace", "diagnostics.reverse_trace.excess", "approach", PO_OF_DIAGNOSTICS},
-  [PO_WORK] = {"work", "", "approach", PO_OF_SOLVE},
   [PO_SOLVED_SHARE] = {"solved_share", "", "approach", PO_OF_SOLVE},
 };
 // clang-format on
@@ -59,7 +58,6 @@ po_request po_check_request(const po_check *check, const po_request *request) {
 
 po_reference_type po_reference_type_of(const char *reference) {
   static const char *const WORDS[] = {[PO_REFERENCE_BRADLEY] = "bradley",
-                                      [PO_REFERENCE_PINS] = "pin",
                                       [PO_REFERENCE_ZERO] = "zero",
                                       [PO_REFERENCE_EVERY_SCENE] = "every_scene",
                                       [PO_REFERENCE_TRACED] = "traced"};

@@ -53,7 +53,6 @@ typedef enum {
   PO_FOLDS,
   PO_EXTREMA,
   PO_CURVE,
-  PO_WORK,         /* the counters of work, each compared with its pin */
   PO_SOLVED_SHARE, /* the share of solved points; one number for the whole case */
   PO_QUANTITY_COUNT
 } po_quantity;
@@ -62,7 +61,6 @@ typedef enum {
 typedef enum {
   PO_REFERENCE_TABLE,       /* a CSV file, given by its path */
   PO_REFERENCE_BRADLEY,     /* the closed form of the rigid smooth sphere */
-  PO_REFERENCE_PINS,        /* the values of this program that were last blessed, see po_pins.h */
   PO_REFERENCE_ZERO,        /* the quantity vanishes for an exact solution, e.g. a residual */
   PO_REFERENCE_EVERY_SCENE, /* the share 1, for solved_share: every scene has an equilibrium */
   PO_REFERENCE_TRACED,      /* the full trace of a scene, for a pull-off from a series */
@@ -100,8 +98,8 @@ bool po_check_concerns(const po_check *check, const po_request *request);
  * as_if. */
 po_request po_check_request(const po_check *check, const po_request *request);
 
-/* Returned: the type of the reference that a case file names: "bradley", "pin", "zero",
- * "every_scene" or "traced"; any other text is the path of a table. */
+/* Returned: the type of the reference that a case file names: "bradley", "zero", "every_scene"
+ * or "traced"; any other text is the path of a table. */
 po_reference_type po_reference_type_of(const char *reference);
 
 /* What a quantity is of. Parameter continuation delivers only those of the pull-off; the only

@@ -64,7 +64,7 @@ static const po_field CHECK[] = {
          "jumps, pull_off_any, steps, load_steps, fold_count, folds, extrema, curve, work or "
          "solved_share"),
     TEXT("reference", po_check, reference,
-         "bradley, pin, every_scene, zero, traced or the path of a CSV file"),
+         "bradley, every_scene, zero, traced or the path of a CSV file"),
     OPTIONAL_TEXT("tolerance", po_check, tolerance_text, "a finite number > 0"),
     OPTIONAL_TEXT("kind", po_check, kind_text, "abs, rel or ulp"),
     OPTIONAL_TEXT("because", po_check, because, "the reason for the tolerance"),

@@ -11,26 +11,13 @@
 #include "po_text.h"
 
 const char *const PO_VERDICTS[PO_VERDICT_COUNT] = {
-    [PO_IDENTICAL] = "identical",
-    [PO_WITHIN] = "within",
-    [PO_OUTSIDE] = "outside",
-    [PO_NO_RESULT] = "no_result",
-    [PO_MISSING_REFERENCE] = "missing_reference",
-    [PO_IMPROVED] = "improved",
-    [PO_REGRESSED] = "regressed",
-    [PO_MOVED] = "moved",
-    [PO_WRONG_AND_FROZEN] = "wrong_and_frozen",
-    [PO_SLACK] = "slack",
-    [PO_NOT_REACHABLE] = "not_reachable",
+    [PO_WITHIN] = "within",       [PO_OUTSIDE] = "outside",
+    [PO_NO_RESULT] = "no_result", [PO_MISSING_REFERENCE] = "missing_reference",
+    [PO_SLACK] = "slack",         [PO_NOT_REACHABLE] = "not_reachable",
 };
 
 bool po_verdict_passes(po_verdict verdict) {
-  return po_verdict_is_plain(verdict) || verdict == PO_IMPROVED || verdict == PO_SLACK ||
-         verdict == PO_NOT_REACHABLE;
-}
-
-bool po_verdict_is_plain(po_verdict verdict) {
-  return verdict == PO_IDENTICAL || verdict == PO_WITHIN;
+  return verdict == PO_WITHIN || verdict == PO_SLACK || verdict == PO_NOT_REACHABLE;
 }
 
 void po_check_result_reference(const po_check *check, char name[64]) {
@@ -95,8 +82,6 @@ static po_verdict judge(const po_check_result *check_result) {
     return PO_MISSING_REFERENCE;
   if (isnan(check_result->obtained))
     return PO_NO_RESULT;
-  if (check_result->check->type == PO_REFERENCE_PINS && check_result->error == 0)
-    return PO_IDENTICAL;
   return fabs(check_result->error) <= check_result->allowance ? PO_WITHIN : PO_OUTSIDE;
 }
 
@@ -149,7 +134,7 @@ void po_check_results_clear(po_check_results *check_results) {
   *check_results = (po_check_results){0};
 }
 
-/* Verdicts that combine the checks of the same number. */
+/* Tolerances are judged by all results of a check. */
 
 /* With a tolerance this many times the largest error, the check would not detect errors that are a
  * hundred times larger. */
@@ -158,101 +143,10 @@ static const double SLACK = 1000;
 /* Relative errors below this are rounding errors of a long sum, not errors of the method. */
 static const double ROUNDING = 4 * DBL_EPSILON;
 
-/* Reports whether two results belong to the same number of the same point. */
-static bool is_same_number(const po_check_result *a, const po_check_result *b) {
-  return a->point == b->point && strcmp(a->subject, b->subject) == 0;
-}
-
-static bool is_compared(const po_check_result *item) {
-  return item->verdict != PO_NO_RESULT && item->verdict != PO_MISSING_REFERENCE;
-}
-
 /* Returned: the error below which a reference cannot distinguish two values. */
 static double resolution(const po_check_result *item) {
   const double rounding = ROUNDING * fmax(fabs(item->obtained), fabs(item->expected));
   return fmax(isnan(rounding) ? 0 : rounding, isnan(item->uncertainty) ? 0 : item->uncertainty);
-}
-
-/* The comparison of a pinned value and of the new value with all oracles. */
-typedef struct {
-  bool decreased, increased; /* the error against at least one oracle */
-  bool outside;              /* the new value is outside the tolerance of an oracle */
-  char note[128];            /* both errors, against an oracle with an increase if there is one */
-} oracle_summary;
-
-static void add_oracle(const po_check_result *oracle, double pinned, oracle_summary *summary) {
-  const double before = fabs(pinned - oracle->expected), after = fabs(oracle->error);
-  summary->outside = summary->outside || oracle->verdict == PO_OUTSIDE;
-  if (fmax(before, after) <= resolution(oracle) || before == after)
-    return;
-  const bool increased = after > before;
-  if (increased || !summary->increased) {
-    char reference[64];
-    po_check_result_reference(oracle->check, reference);
-    snprintf(summary->note, sizeof summary->note, "the error against %.40s %s from %.2g to %.2g",
-             reference, increased ? "increased" : "decreased", before, after);
-  }
-  summary->increased = summary->increased || increased;
-  summary->decreased = summary->decreased || !increased;
-}
-
-static void judge_moved(const po_check_results *check_results, po_check_result *pin) {
-  oracle_summary summary = {0};
-  bool any = false;
-  for (size_t i = 0; i < check_results->count; ++i) {
-    const po_check_result *other = &check_results->items[i];
-    if (other->ledger != PO_LEDGER_ORACLE || !is_same_number(other, pin) || !is_compared(other))
-      continue;
-    any = true;
-    add_oracle(other, pin->expected, &summary);
-  }
-  if (summary.increased) {
-    pin->verdict = PO_REGRESSED;
-    po_check_result_note(pin, "%s", summary.note);
-  } else if (summary.decreased && !summary.outside) {
-    pin->verdict = PO_IMPROVED;
-    po_check_result_note(pin, "%s: bless it", summary.note);
-  } else {
-    pin->verdict = PO_MOVED;
-    po_check_result_note(pin, "%s",
-                         summary.decreased
-                             ? "the error decreased, but the check against the oracle still fails"
-                         : any ? "no oracle can distinguish the two values"
-                               : "no oracle covers this number");
-  }
-}
-
-static void judge_work(po_check_result *pin) {
-  const bool more = pin->error > 0;
-  pin->verdict = more ? PO_REGRESSED : PO_IMPROVED;
-  snprintf(pin->note, sizeof pin->note, more ? "%.1f %% more work" : "%.1f %% less work: bless it",
-           100 * fabs(pin->error) / fmax(fabs(pin->expected), 1));
-}
-
-static void judge_pins(po_check_results *check_results) {
-  for (size_t i = 0; i < check_results->count; ++i) {
-    po_check_result *pin = &check_results->items[i];
-    if (pin->ledger != PO_LEDGER_PIN || pin->verdict != PO_OUTSIDE)
-      continue;
-    if (pin->check->quantity == PO_WORK)
-      judge_work(pin);
-    else
-      judge_moved(check_results, pin);
-  }
-}
-
-static void judge_oracles(po_check_results *check_results) {
-  for (size_t i = 0; i < check_results->count; ++i) {
-    po_check_result *oracle = &check_results->items[i];
-    if (oracle->ledger != PO_LEDGER_ORACLE || oracle->verdict != PO_OUTSIDE)
-      continue;
-    for (size_t k = 0; k < check_results->count; ++k) {
-      const po_check_result *pin = &check_results->items[k];
-      if (pin->ledger == PO_LEDGER_PIN && po_verdict_is_plain(pin->verdict) &&
-          is_same_number(pin, oracle))
-        oracle->verdict = PO_WRONG_AND_FROZEN;
-    }
-  }
 }
 
 /* Reports whether a number is a count, which has no numerical error. */
@@ -263,14 +157,14 @@ static bool is_exact(const po_check_result *item) {
 
 /* Finds the result with the largest error in units of the tolerance among the results of one check.
  * Given: `first`, the first of these results.
- * Returned: that result, and in *largest the ratio; NULL if the check is against pins, if a result
- * is not within, or if there is no error. In *last, the index after the last result of the check.
+ * Returned: that result, and in *largest the ratio; NULL if a result is not within, or if there is
+ * no error. In *last, the index after the last result of the check.
  */
 static po_check_result *worst_of_check(po_check_results *check_results, size_t first, size_t *last,
                                        double *largest) {
   const po_check *check = check_results->items[first].check;
   po_check_result *worst = NULL;
-  bool measurable = check_results->items[first].ledger != PO_LEDGER_PIN;
+  bool measurable = true;
   *largest = 0.0;
   for (*last = first; *last < check_results->count && check_results->items[*last].check == check;
        ++*last) {
@@ -287,7 +181,7 @@ static po_check_result *worst_of_check(po_check_results *check_results, size_t f
   return measurable ? worst : NULL;
 }
 
-static void judge_tolerances(po_check_results *check_results) {
+void po_judge_tolerances(po_check_results *check_results) {
   for (size_t first = 0, last = 0; first < check_results->count; first = last) {
     double largest = 0;
     po_check_result *worst = worst_of_check(check_results, first, &last, &largest);
@@ -298,10 +192,4 @@ static void judge_tolerances(po_check_results *check_results) {
         worst, "the tolerance is %.0f times the largest error of this check, which is here",
         1 / largest);
   }
-}
-
-void po_judge(po_check_results *check_results) {
-  judge_pins(check_results);
-  judge_oracles(check_results);
-  judge_tolerances(check_results);
 }

@@ -8,21 +8,19 @@
 #include "po_curve.h"
 #include "po_elementary.h"
 #include "po_memory.h"
-#include "po_pins.h"
 #include "po_result_rows.h"
 #include "po_text.h"
 
 static const po_reference_number UNKNOWN = {(double)NAN, (double)NAN};
 
-/* Reports whether a quantity is a single number in the reference. Pins contain the number of folds;
- * for other references it is the number of listed folds over the common range. */
-static bool is_single(po_quantity quantity, const po_reference *reference) {
-  return *PO_QUANTITIES[quantity].path &&
-         (quantity != PO_FOLD_COUNT || reference->type == PO_REFERENCE_PINS);
+/* Reports whether a quantity is a single number in the reference. The number of folds is that of
+ * the listed folds over the common range. */
+static bool is_single(po_quantity quantity) {
+  return *PO_QUANTITIES[quantity].path && quantity != PO_FOLD_COUNT;
 }
 
 double po_compare_obtained(po_quantity quantity, const po_result *result) {
-  if (result->status != PO_OK || (quantity != PO_FOLD_COUNT && !result->has_pull_off))
+  if (result->status != PO_OK || !result->has_pull_off)
     return (double)NAN;
   return po_block_number(&PO_ALL_ROWS, result, PO_QUANTITIES[quantity].path);
 }
@@ -69,7 +67,7 @@ static po_status compare_single(const po_compare_input *c) {
                      status ? UNKNOWN : expected);
   if (!item)
     return PO_NO_MEMORY;
-  if (quantity != PO_FOLD_COUNT && result->has_pull_off) {
+  if (result->has_pull_off) {
     item->approach = result->pull_off.approach;
     item->load = -result->pull_off.force;
   }
@@ -169,10 +167,6 @@ static void explain_no_comparison(po_check_result *item, const po_compare_input 
              : c->check->quantity == PO_MOVED_FORCE && isnan(result->pull_off.force_error)
                  ? "only scenes on panels have the error estimates to which moved_force is relative"
                  : "the solve has no value of this quantity");
-  else if (item->verdict == PO_MISSING_REFERENCE && reference->type == PO_REFERENCE_PINS)
-    snprintf(item->note, size, "%s %.150s",
-             po_pins_exist(reference) ? "not pinned in" : "there is no file",
-             reference->shown.text);
   else if (item->verdict == PO_MISSING_REFERENCE) {
     po_text nearest = {0};
     const bool found = reference->type == PO_REFERENCE_TABLE &&
@@ -181,24 +175,6 @@ static void explain_no_comparison(po_check_result *item, const po_compare_input 
              found ? "; " : "", po_text_string(&nearest));
     po_text_clear(&nearest);
   }
-}
-
-/* Compares each counter of work with its pin. */
-static po_status compare_work(const po_compare_input *c) {
-  for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter) {
-    char pin[PO_PIN_NAME_LENGTH], name[PO_PIN_NAME_LENGTH];
-    po_reference_number expected = {(double)NAN, 0};
-    snprintf(pin, sizeof pin, "work/%s", PO_WORK_COUNTER_NAMES[counter]);
-    snprintf(name, sizeof name, "work_%s", PO_WORK_COUNTER_NAMES[counter]);
-    const po_status status = po_pins_value(c->reference, pin, &c->request, &expected.value);
-    if (status && status != PO_NOT_FOUND)
-      return status;
-    const double done =
-        c->result->status == PO_OK ? po_work_count(&c->result->work, counter) : (double)NAN;
-    if (!po_compare_add(c, name, PO_WORK_COUNTER_NAMES[counter], done, expected))
-      return PO_NO_MEMORY;
-  }
-  return PO_OK;
 }
 
 /* The folds or the extrema of a branch. */
@@ -354,10 +330,9 @@ po_status po_compare(const po_compare_input *comparison) {
     return PO_OK;
   const size_t before = c.check_results->count;
   c.request = po_check_request(check, request);
-  const po_status status = is_single(check->quantity, c.reference) ? compare_single(&c)
+  const po_status status = is_single(check->quantity)              ? compare_single(&c)
                            : check->quantity == PO_CURVE           ? compare_curve(&c)
                            : po_quantity_is_steps(check->quantity) ? po_compare_steps(&c)
-                           : check->quantity == PO_WORK            ? compare_work(&c)
                                                                    : compare_special_points(&c);
   for (size_t i = before; i < c.check_results->count; ++i)
     explain_no_comparison(&c.check_results->items[i], &c);

@@ -8,21 +8,13 @@
 #include "po_reference.h"
 
 typedef enum {
-  PO_IDENTICAL, /* with its pin, to the last bit */
   PO_WITHIN,
   PO_OUTSIDE,
   PO_NO_RESULT,         /* the solve did not deliver the quantity */
   PO_MISSING_REFERENCE, /* the reference has no value for this scene */
-  /* Verdicts that combine several references, see po_judge. */
-  PO_IMPROVED,         /* the value differs from its pin, and is closer to every oracle; or the
-                          work decreased. The new value can be blessed. */
-  PO_REGRESSED,        /* the value differs from its pin, and is further from an oracle; or the
-                          work increased */
-  PO_MOVED,            /* the value differs from its pin, and no oracle decides which is better */
-  PO_WRONG_AND_FROZEN, /* the check against the oracle fails, and the one against the pin passes */
-  PO_SLACK,            /* within, but the tolerance is too wide to detect an error */
-  PO_NOT_REACHABLE,    /* outside, but an external solver that follows stable equilibria cannot see
-                          the expected value */
+  PO_SLACK,             /* within, but the tolerance is too wide to detect an error */
+  PO_NOT_REACHABLE,     /* outside, but an external solver that follows stable equilibria cannot see
+                           the expected value */
   PO_VERDICT_COUNT
 } po_verdict;
 
@@ -55,12 +47,9 @@ typedef struct {
 
 extern const char *const PO_VERDICTS[PO_VERDICT_COUNT]; /* the name of each verdict */
 
-/* Reports whether a check with this verdict passes: identical, within, improved, slack or
- * not_reachable. */
+/* Reports whether a check with this verdict passes: within, slack or not_reachable. The user is
+ * told of all verdicts but within. */
 bool po_verdict_passes(po_verdict verdict);
-
-/* Reports whether a verdict is identical or within; the user is told of all others. */
-bool po_verdict_is_plain(po_verdict verdict);
 
 /* Returned: in `name`, the short name of the reference of a check: "feng_pull_off" for
  * "reference/feng_pull_off.csv". */
@@ -118,30 +107,10 @@ po_status po_compare_steps(const po_compare_input *c);
 po_status po_compare_check_tolerance(const po_case *kase, const po_check *check, unsigned number,
                                      const po_reference *reference);
 
-/* Replaces the verdicts of the individual checks of a case by verdicts that combine the checks of
- * the same number against different references.
- *
- * An oracle shows whether a number is correct, a pin shows whether it changed. The combination:
- *
- *   value         error against the oracle       verdict of the pin   of the oracle
- *   as pinned     within                         within               within
- *   as pinned     outside                        within               wrong_and_frozen
- *   changed       decreased, within              improved             within
- *   changed       increased                      regressed            within or outside
- *   changed       decreased, but outside         moved                outside
- *   changed       undecided, or no oracle        moved
- *
- * An oracle is undecided if the errors of both values are below its uncertainty. With several
- * oracles, an increase against one of them counts as an increase. Published values have no
- * influence on the verdict of a pin: their uncertainty is as large as the errors.
- *
- * Counters of work have no oracle: an increase is regressed, a decrease is improved.
- *
- * The tolerance of a check against an oracle or a published value is slack if it is more than a
- * thousand times the largest error of all points of the case, because the same tolerance applies to
- * all of them. Errors below the uncertainty of the reference, or below rounding, are replaced by
- * these. Two kinds of tolerance are never slack: those of integers (numbers of folds, shares of
- * solved points), and those of pins, which an unchanged program reproduces to the last bit. */
-void po_judge(po_check_results *check_results);
+/* Finds the checks whose tolerance is slack: more than a thousand times the largest error of all
+ * points of the case, because the same tolerance applies to all of them. Errors below the
+ * uncertainty of the reference, or below rounding, are replaced by these. The tolerance of integers
+ * (numbers of folds, shares of solved points) is never slack. */
+void po_judge_tolerances(po_check_results *check_results);
 
 #endif

@@ -96,9 +96,9 @@ static po_status add_row(const po_compare_input *c, size_t row, const char *subj
 }
 
 /* A relative tolerance of a value that is 0, or 0 within its uncertainty, allows nothing that can
- * be said in numbers. Pins are compared to the last bit first. */
+ * be said in numbers. */
 static bool is_relative_to_zero(const po_check *check, po_reference_number expected) {
-  return check->kind != PO_TOLERANCE_ABS && check->type != PO_REFERENCE_PINS &&
+  return check->kind != PO_TOLERANCE_ABS &&
          (expected.value == 0 || fabs(expected.value) <= expected.uncertainty);
 }
 

@@ -1,73 +1,58 @@
-/* Pins: the values of this program that were last blessed. A check against pins detects every
- * change of a value; it is no evidence that the value is correct.
+/* Pins: what the results of a case were when they were last accepted (pulloff bless). Of each point
+ * its digest, its pull-off force and its counters of work. They show every change of a result and
+ * of its cost; they are no evidence that a result is correct.
  *
- * The pins of a case are the table pins/NAME.csv in the folder of the case file. The table has the
- * headers of a reference, a header `blessing N` for each time the pins were set (date, user,
- * program, reason), a header `checked N` for each oracle whose checks passed then, and one row for
- * each scene and quantity. The keys in the headers and in the row identify the scene. A key that is
- * absent or "-" has no influence on the scene (see po_key_is_idle), or is the time limit, which
- * does not change the numbers of a solve that ends within it. */
+ * The pins of a case are the table pins/NAME.csv in the folder of the case file, a row each point.
+ * Its header says who accepted the results, when and why; earlier versions of the table are in the
+ * history of the source tree. The header `scenes` is the SHA-256 of all scenes of the case then,
+ * without their time limits: a number names the same point only as long as the scenes are the same.
+ */
 #ifndef PO_PINS_H
 #define PO_PINS_H
 
 #include "po_case.h"
-#include "po_reference.h"
+#include "po_csv.h"
+#include "po_file.h"
+#include "po_result.h"
 
-enum { PO_PIN_NAME_LENGTH = 64, PO_WORK_COUNTERS = 5 };
-
-/* Opens the pins of a case as a reference. Given: `solver`, the name of the external solver whose
- * pins they are, pins/SOLVER/NAME.csv; NULL: those of this program. If the file does not exist,
- * nothing is pinned yet, and the status is PO_OK. Status: PO_CANNOT_READ with file and line
- * (damaged or edited by hand). */
-po_status po_pins_open(const po_case *kase, const char *name, const char *solver,
-                       po_reference *reference);
-
-/* Reports whether the file of the pins exists. */
-bool po_pins_exist(const po_reference *pins);
-
-/* Looks up the value pinned under `name` ("pull_off_force", "folds/jump_in-1/approach",
- * "work/points"...) for a scene. Status: PO_NOT_FOUND (the value is not pinned), PO_CANNOT_READ
- * (two rows with this name for the scene). */
-po_status po_pins_value(const po_reference *pins, const char *name, const po_request *request,
-                        double *value);
-
-/* Returned: in `name`, the name of the pin of special point number `index` (from 0) of `quantity`.
- */
-void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size_t index, bool load,
-                                char name[PO_PIN_NAME_LENGTH]);
-
-/* Name and value of each pinned counter of work. Only deterministic counters are pinned, not the
- * time. */
+/* The counters of work that are pinned. Only deterministic ones are, not the time. */
+enum { PO_WORK_COUNTERS = 5 };
 extern const char *const PO_WORK_COUNTER_NAMES[PO_WORK_COUNTERS];
 double po_work_count(const po_work *work, int counter);
 
-/* Returned: in `text`, the value of a key as written in a table of pins, or "-". */
-void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]);
+typedef struct {
+  po_csv table;                  /* no rows: nothing is stored, or only results of other scenes */
+  po_file_path path, shown;      /* of the file; its name in messages */
+  char scenes[PO_DIGEST_LENGTH]; /* of the scenes of the case */
+  bool other_scenes;             /* the stored results are of other scenes */
+} po_pins;
 
-/* Points that differ only in keys without influence have the same scene, and share its pins.
- * Returned: in `first`, for each point of the case the first point with its scene.
- * Status: PO_NO_MEMORY. */
-po_status po_pins_scenes(const po_case *kase, size_t *first);
+/* The pins of a point. */
+typedef struct {
+  const char *digest;            /* belongs to the table */
+  double force;                  /* pull-off force in pi w R; NAN: none */
+  double work[PO_WORK_COUNTERS]; /* NAN: none */
+} po_pin;
 
-/* The stored digests of the results of a case: the table pins/NAME.digests.csv in the folder of the
- * case file, with the columns point, digest and pull_off_force ("-": none), a row each point. The
- * force says by how much a result with another digest differs. The header `scenes` is the SHA-256
- * of all scenes of the case then, without their time limits: a number names the same point only as
- * long as the scenes are the same.
- *
- * Opens the table; if there is none, the status is PO_OK. It has no rows then, nor if it is of
- * other scenes than those of the case. Returned: in `scenes`, the digest of the scenes of the case.
- * The caller closes the table with po_reference_close. Status: PO_CANNOT_READ with file and line,
- * PO_NO_MEMORY. */
-po_status po_digests_open(const po_case *kase, char scenes[PO_DIGEST_LENGTH],
-                          po_reference *digests);
+/* Opens the pins of a case. If there is no file, nothing is pinned yet, and the status is PO_OK.
+ * The caller closes them in any case. Status: PO_CANNOT_READ with file and line (damaged or edited
+ * by hand), PO_NO_MEMORY. */
+po_status po_pins_open(const po_case *kase, po_pins *pins);
+void po_pins_close(po_pins *pins);
 
-/* Computes the digest of all scenes of a case. Status: PO_NO_MEMORY. */
-po_status po_digests_scenes(const po_case *kase, char digest[PO_DIGEST_LENGTH]);
+/* Finds the row of point number `point` with name `id`. Returned: false if there is none. */
+bool po_pins_find(const po_pins *pins, size_t point, const char *id, size_t *row);
 
-/* Looks up a point. Returned: in *digest, its digest, which belongs to the table; in *force, its
- * pull-off force in pi w R, NAN: none. Status: PO_NOT_FOUND, PO_CANNOT_READ. */
-po_status po_digests_find(const po_reference *digests, size_t point, const char *id,
-                          const char **digest, double *force);
+/* Reads a row. Status: PO_CANNOT_READ. */
+po_status po_pins_read(const po_pins *pins, size_t row, po_pin *pin);
+
+/* Adds the line of column names. */
+void po_pins_add_columns(po_text *text);
+
+/* Adds the row of a result. */
+void po_pins_add(const char *id, const char *digest, const po_result *result, po_text *text);
+
+/* Adds a row as it is stored, in the form of po_pins_add. */
+void po_pins_add_stored(const po_pins *pins, size_t row, po_text *text);
 
 #endif

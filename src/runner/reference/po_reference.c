@@ -10,7 +10,6 @@
 #include "po_law.h"
 #include "po_memory.h"
 #include "po_number.h"
-#include "po_pins.h"
 #include "po_si.h"
 #include "po_wavy_rigid.h"
 
@@ -255,58 +254,9 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
   case PO_REFERENCE_ZERO:
     *number = (po_reference_number){0};
     return PO_OK;
-  case PO_REFERENCE_PINS:
-    number->uncertainty = 0;
-    return po_pins_value(reference, PO_QUANTITIES[quantity].name, request, &number->value);
   default:
     return find_single(reference, quantity, request, number);
   }
-}
-
-/* Finds special point number `index`. Its kind is part of the name of the pin and is not known in
- * advance, so all kinds are tried. */
-static po_status find_special_point(const po_reference *pins, po_quantity quantity,
-                                    const po_request *request, size_t index,
-                                    po_special_point *point) {
-  for (int kind = PO_JUMP_IN; kind <= PO_MAXIMUM; ++kind) {
-    char name[PO_PIN_NAME_LENGTH];
-    *point = (po_special_point){.kind = (po_special_kind)kind};
-    po_pins_name_special_point(quantity, point->kind, index, false, name);
-    po_status status = po_pins_value(pins, name, request, &point->approach);
-    if (status == PO_NOT_FOUND)
-      continue;
-    po_pins_name_special_point(quantity, point->kind, index, true, name);
-    if (!status)
-      status = po_pins_value(pins, name, request, &point->load);
-    if (status != PO_NOT_FOUND)
-      return status;
-  }
-  return po_fail(PO_CANNOT_READ, "%s: special point %zu of the %s of a scene is missing",
-                 pins->shown.text, index + 1, PO_QUANTITIES[quantity].name);
-}
-
-static po_status pins_points(const po_reference *pins, po_quantity quantity,
-                             const po_request *request, po_special_point **points, size_t *count) {
-  char name[PO_PIN_NAME_LENGTH];
-  double number = 0;
-  snprintf(name, sizeof name, "%s/count", PO_QUANTITIES[quantity].name);
-  po_status status = po_pins_value(pins, name, request, &number);
-  if (status)
-    return status;
-  if (!(number >= 0 && number <= (double)pins->table.row_count))
-    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of special points",
-                   pins->shown.text, name, number);
-  po_special_point *list = po_allocate((size_t)number, sizeof *list);
-  status = list ? PO_OK : PO_NO_MEMORY;
-  for (size_t i = 0; !status && i < (size_t)number; ++i)
-    status = find_special_point(pins, quantity, request, i, &list[i]);
-  if (status) {
-    free(list);
-    return status;
-  }
-  *points = list;
-  *count = (size_t)number;
-  return PO_OK;
 }
 
 static po_status read_kind(const po_csv *table, size_t row, po_special_kind *kind) {
@@ -358,8 +308,6 @@ po_status po_reference_points(const po_reference *reference, po_quantity quantit
   *count = 0;
   if (reference->type == PO_REFERENCE_BRADLEY)
     return bradley_points(quantity, request, result, points, count);
-  if (reference->type == PO_REFERENCE_PINS)
-    return pins_points(reference, quantity, request, points, count);
   po_special_point *list = po_allocate(reference->table.row_count, sizeof *list);
   po_status status = list ? PO_OK : PO_NO_MEMORY;
   size_t rows = 0, kept = 0;

@@ -3,7 +3,6 @@
  * A reference is one of:
  *   a table, reference/NAME.csv;
  *   "bradley", the closed form of the rigid smooth sphere;
- *   "pin", the blessed values of this program;
  *   "every_scene", the share 1: every scene has an equilibrium;
  *   "zero", for diagnostics, which vanish for an exact solution;
  *   "traced", for a series: the full trace of the scene;
@@ -27,16 +26,14 @@
 #include "po_status.h"
 #include "po_text.h"
 
-typedef enum { PO_LEDGER_ORACLE, PO_LEDGER_PUBLISHED, PO_LEDGER_PIN } po_ledger;
+typedef enum { PO_LEDGER_ORACLE, PO_LEDGER_PUBLISHED } po_ledger;
 
 typedef struct {
   const char *name; /* as in the case file */
   const char *row; /* PROBLEM:QUANTITY of a row of a table, part of the name; NULL: a whole table */
   po_ledger ledger;
   po_reference_type type;
-  po_file_path path;             /* of the file of pins; "" for other references */
-  po_file_path shown;            /* name of that file in messages and records */
-  po_csv table;                  /* if the reference is a table or pins; empty without pins */
+  po_csv table;                  /* if the reference is a table */
   char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name if there is no file */
   char *converted;               /* cells of the table that were in SI units; NULL: none */
 } po_reference;
@@ -46,10 +43,6 @@ typedef struct {
   double value;
   double uncertainty; /* absolute; NAN: not given */
 } po_reference_number;
-
-/* Returned: the name of a reference in messages and records: the path of the file of pins, else the
- * name in the case file. */
-const char *po_reference_shown(const po_reference *reference);
 
 extern const char *const PO_LEDGERS[]; /* the name of each ledger */
 
@@ -90,8 +83,7 @@ po_status po_reference_points(const po_reference *reference, po_quantity quantit
 po_status po_reference_complete_to(const po_reference *reference, const po_request *request,
                                    double *approach);
 
-/* The table of a reference, for reference data and for pins: the rows of a scene, and the numbers
- * in a row. */
+/* The table of a reference: the rows of a scene, and the numbers in a row. */
 
 /* Reads a table, checks its headers and its checksum, and fills reference->table, digest and
  * ledger.

@@ -10,11 +10,7 @@
 #include "po_si.h"
 #include "po_text.h"
 
-const char *const PO_LEDGERS[] = {"oracle", "published", "pin"};
-
-const char *po_reference_shown(const po_reference *reference) {
-  return reference->type == PO_REFERENCE_PINS ? reference->shown.text : reference->name;
-}
+const char *const PO_LEDGERS[] = {"oracle", "published"};
 
 /* Checks that headers are there; the message names all that are not. */
 static po_status check_needed(const po_csv *table, const char *const *needed, size_t count) {
@@ -50,23 +46,19 @@ static po_status check_headers(po_reference *reference) {
   static const char *const NEEDED[] = {"what",        "source",    "kind",    "method", "units",
                                        "uncertainty", "generator", "command", "date",   "sha256"};
   const po_csv *table = &reference->table;
-  const po_status status = check_needed(table, NEEDED, sizeof NEEDED / sizeof *NEEDED);
+  po_status status = check_needed(table, NEEDED, sizeof NEEDED / sizeof *NEEDED);
+  if (!status)
+    status = po_csv_check_seal(table);
   if (status)
     return status;
-  const po_csv_header *digest = po_csv_find_header(table, "sha256");
-  if (strcmp(digest->value, table->digest) != 0)
-    return po_fail(PO_CANNOT_READ,
-                   "%s:%zu: sha256 is %.16s...: expected %.16s..., the digest of all other lines "
-                   "(damaged, or edited by hand)",
-                   table->path, digest->line, digest->value, table->digest);
   const po_csv_header *kind = po_csv_find_header(table, "kind");
-  for (unsigned i = 0; i < 3; ++i)
+  for (unsigned i = 0; i < 2; ++i)
     if (strcmp(kind->value, PO_LEDGERS[i]) == 0) {
       reference->ledger = (po_ledger)i;
       return PO_OK;
     }
-  return po_fail(PO_CANNOT_READ, "%s:%zu: kind is %s: expected oracle, published or pin",
-                 table->path, kind->line, kind->value);
+  return po_fail(PO_CANNOT_READ, "%s:%zu: kind is %s: expected oracle or published", table->path,
+                 kind->line, kind->value);
 }
 
 po_status po_reference_read(const char *path, const char *shown, po_reference *reference) {

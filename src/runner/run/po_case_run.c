@@ -131,7 +131,7 @@ bool po_finding_next(const po_case_run *run, po_finding *finding) {
                           .point = point,
                           .label = item && item->whole ? NULL : kase->points[point].label,
                           .passes = item && po_verdict_passes(item->verdict),
-                          .plain = item && po_verdict_is_plain(item->verdict),
+                          .plain = item && item->verdict == PO_WITHIN,
                           .next = next + 1};
   return true;
 }

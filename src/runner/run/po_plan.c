@@ -8,7 +8,6 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_memory.h"
-#include "po_pins.h"
 #include "po_text.h"
 
 po_request po_plan_request(const po_plan *plan, size_t point) {
@@ -47,10 +46,7 @@ bool po_plan_covers(const po_plan *plan, const po_check *check) {
     return true;
   if (check->quantity != PO_SOLVED_SHARE && !(plan->solver->quantities & 1U << check->quantity))
     return false; /* the share is known of every solver */
-  if (check->type == PO_REFERENCE_TRACED)
-    return false;
-  return check->type != PO_REFERENCE_PINS ||
-         po_pins_exist(&plan->references[check - plan->kase->file->checks]);
+  return check->type != PO_REFERENCE_TRACED;
 }
 
 unsigned po_plan_asked(const po_plan *plan) {
@@ -141,9 +137,6 @@ static po_status reference_open_check(const char *data_folder, const po_check *c
 
 static po_status open_check(const po_plan *plan, const char *data_folder, const po_check *check,
                             po_reference *reference) {
-  if (check->type == PO_REFERENCE_PINS)
-    return po_pins_open(plan->kase, check->reference, plan->solver ? plan->solver->name : NULL,
-                        reference);
   const po_file_path folder = folder_for(plan->kase, data_folder, check->reference);
   po_status status = reference_open_check(folder.text, check, reference);
   if (!status && plan->kase->is_physical && reference->type == PO_REFERENCE_TABLE)
@@ -218,6 +211,8 @@ po_status po_plan_create(const po_case *kase, const char *data_folder, const po_
   if (!status)
     status = name_plan(plan);
   if (!status)
+    status = po_pins_open(kase, &plan->pins);
+  if (!status)
     status = open_references(plan, data_folder);
   if (!status) {
     decide(plan);
@@ -236,6 +231,7 @@ void po_plan_destroy(po_plan *plan) {
   for (unsigned i = 0; plan->references && po_case_check(plan->kase->file, i); ++i)
     po_reference_close(&plan->references[i]);
   free(plan->references);
+  po_pins_close(&plan->pins);
   free(plan->name);
   free(plan);
 }

@@ -5,6 +5,7 @@
 #include "po_case.h"
 #include "po_digest.h"
 #include "po_json_value.h"
+#include "po_pins.h"
 #include "po_reference.h"
 #include "po_solver.h"
 #include "po_text.h"
@@ -14,6 +15,7 @@ typedef struct {
   const po_solver *solver;          /* that computes the results; NULL: this program */
   char *name;                       /* in printed lines: of the case, or "SOLVER:CASE" */
   po_reference *references;         /* one a check, then one a measurement (po_case_check), open */
+  po_pins pins;                     /* of the case, for results of this program */
   unsigned want;                    /* bit set of PO_WANT_..., for every point */
   char program[PO_DIGEST_LENGTH];   /* digest of the program or the solver */
   char solve_key[PO_DIGEST_LENGTH]; /* digest of all that determines the results: scenes, program */
@@ -37,8 +39,8 @@ void po_plan_add_options(const po_plan *plan, po_text *text);
  * prints its verdicts. */
 void po_plan_add_rerun(const po_plan *plan, size_t point, po_text *text);
 
-/* Reports whether a check or a measurement is made: an external solver computes its quantity, and
- * has pins if it is a check against pins. Every check is made on results of this program. */
+/* Reports whether a check or a measurement is made: an external solver may not compute its
+ * quantity. Every check is made on results of this program. */
 bool po_plan_covers(const po_plan *plan, const po_check *check);
 
 /* Returned: the quantities that an external solver is asked for: bit set of 1 << po_quantity. */

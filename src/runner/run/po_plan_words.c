@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "po_memory.h"
-#include "po_pins.h"
 #include "po_quote.h"
 #include "po_solve.h"
 #include "po_text.h"
@@ -198,8 +197,6 @@ static bool is_covered(const po_reference *reference, const po_check *check,
     return true;
   if (po_quantity_is_steps(check->quantity))
     return po_reference_next_row(reference, request, &row);
-  if (check->quantity == PO_WORK)
-    return po_pins_value(reference, "work/points", request, &number.value) == PO_OK;
   if (check->quantity <= PO_FOLD_COUNT)
     return po_reference_find(reference, check->quantity, request, &number) == PO_OK;
   const po_status status =
@@ -250,14 +247,11 @@ static void tell_checks(const po_plan *plan, json_t **lines) {
     size_t concerned = 0, covered = 0;
     count_points(kase, check, reference, &concerned, &covered);
     say(lines, "compare %s with %s at %zu of %zu %s, tolerance %s %s", check->quantity_text,
-        po_reference_shown(reference), concerned, kase->point_count,
+        reference->name, concerned, kase->point_count,
         po_one_or_more(kase->point_count, "point", "points"), check->tolerance_text,
         check->kind_text);
-    if (check->type == PO_REFERENCE_PINS && !po_pins_exist(reference))
-      say(lines, "  but there are no pins yet");
-    else if (covered < concerned)
-      say(lines, "  but %s has no value for %zu of these", po_reference_shown(reference),
-          concerned - covered);
+    if (covered < concerned)
+      say(lines, "  but %s has no value for %zu of these", reference->name, concerned - covered);
   }
 }
 

@@ -9,7 +9,6 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_json_digest.h"
-#include "po_pins.h"
 
 static const char RECORD[] = "record.json";
 
@@ -78,8 +77,7 @@ static json_t *check_json(const po_case_run *run, const po_check_result *item) {
       {"ratio", po_json_number(item->ratio)}, {"ledger", po_json_text(PO_LEDGERS[item->ledger])},
       {"verdict", po_json_text(PO_VERDICTS[item->verdict])},
       {"passes", json_boolean(po_verdict_passes(item->verdict))},
-      {"note", po_json_text(item->note)},
-      {"reference", po_json_text(po_reference_shown(item->reference))},
+      {"note", po_json_text(item->note)}, {"reference", po_json_text(item->reference->name)},
       {"because", po_json_text(check->because)}, {"command", command_json("verify", run->plan)});
 }
 
@@ -101,7 +99,7 @@ static json_t *measure_json(const po_case_run *run, const po_check_result *item)
       {"error", po_json_number(item->error)},
       {"reference_uncertainty", po_json_number(item->uncertainty)},
       {"outcome", po_json_text(measured_as(item->verdict))}, {"note", po_json_text(item->note)},
-      {"reference", po_json_text(po_reference_shown(item->reference))});
+      {"reference", po_json_text(item->reference->name)});
 }
 
 static json_t *conditions(const po_leave_out *rule) {
@@ -208,9 +206,9 @@ static json_t *digests(const json_t *points) {
 static json_t *record_json(const po_case_run *run, int jobs, json_t *points, json_t *lines) {
   const po_case *kase = run->plan->kase;
   const po_case_file *file = kase->file;
-  char digest[PO_RESULT_DIGEST_LENGTH], scenes[PO_DIGEST_LENGTH];
+  char digest[PO_RESULT_DIGEST_LENGTH];
   json_t *all = digests(points);
-  const po_status status = po_json_digest(all, digest), no_scenes = po_digests_scenes(kase, scenes);
+  const po_status status = po_json_digest(all, digest);
   json_decref(all);
   return PO_JSON_OBJECT(
       {"schema", po_json_text("pulloff-record/1")}, {"case", po_json_text(file->name)},
@@ -219,7 +217,7 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"suites", po_json_texts(file->suite_names, file->suite_names_count)},
       {"file", po_json_text(kase->shown)}, {"key", po_json_text(run->plan->key)},
       {"solve_key", po_json_text(run->plan->solve_key)},
-      {"scenes", no_scenes ? NULL : po_json_text(scenes)},
+      {"scenes", po_json_text(run->plan->pins.scenes)},
       {"figure_script", po_json_text(file->figure_script)},
       {"command", command_json("run", run->plan)}, {"versions", po_environment_versions()},
       {"environment",

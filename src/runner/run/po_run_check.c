@@ -65,7 +65,7 @@ static po_status judge_reach(po_case_run *run, const volatile sig_atomic_t *stop
   for (size_t i = 0; !status && i < run->check_results.count; ++i) {
     po_check_result *item = &run->check_results.items[i];
     if (item->whole || po_verdict_passes(item->verdict) || item->verdict == PO_NO_RESULT ||
-        item->verdict == PO_MISSING_REFERENCE || item->ledger == PO_LEDGER_PIN ||
+        item->verdict == PO_MISSING_REFERENCE ||
         !po_quantity_is(item->check->quantity, PO_OF_PULL_OFF))
       continue;
     bool reached = true;
@@ -179,6 +179,6 @@ po_status po_run_check(po_case_run *run, const volatile sig_atomic_t *stop) {
     return status;
   if (run->plan->solver)
     allow_step(&run->check_results, run->plan->solver->approach_step);
-  po_judge(&run->check_results);
+  po_judge_tolerances(&run->check_results);
   return run->plan->solver ? judge_solver(run, stop) : PO_OK;
 }

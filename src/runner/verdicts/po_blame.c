@@ -1,216 +1,178 @@
 #include "po_explain.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "po_identity.h"
 #include "po_plan.h"
 #include "po_recognise.h"
-#include "po_text.h"
 
-static void __attribute__((format(printf, 3, 4)))
-say(po_blame *blame, const char *side, const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(blame->why, sizeof blame->why, format, arguments);
-  va_end(arguments);
-  blame->side = side;
-}
+/* What a result and the other results of its point say. */
+typedef enum {
+  PASSES,
+  SLACK,
+  FAILED_SOLVES,
+  NO_QUANTITY,
+  NO_TRACE,
+  NO_SCENE,
+  TRACE_WITHIN_ERRORS,
+  TRACE_DIFFERS,
+  SOLVER_FACTOR,
+  SOLVER_CANNOT_SEE,
+  SOLVER_PUBLISHED,
+  SOLVER_ORACLE,
+  SAME_AS_STORED,
+  STORED_WAS_RIGHT,
+  STORED_WAS_WORSE,
+  STORED_WAS_OTHER,
+  ORACLE_REFUTED,
+  OTHER_AGREES_NOT,
+  ORACLE_ALONE,
+  PUBLISHED_REFUTED,
+  PUBLISHED_ALONE,
+  SITUATIONS
+} situation;
 
-static bool is_verdict_of_pin_moved(po_verdict verdict) {
-  return verdict == PO_MOVED || verdict == PO_REGRESSED || verdict == PO_IMPROVED;
-}
+/* The side that is probably wrong, and why. {check} is the reference of the check, {other} another
+ * one and its ledger, {solver} the external solver; {number}, {factor} and {points} say for
+ * themselves. */
+static const struct {
+  const char *side, *why;
+} SENTENCES[SITUATIONS] = {
+    [PASSES] = {"none", ""},
+    [SLACK] = {"tolerance",
+               "it is so wide that the check would not detect an error a thousand times larger: "
+               "reduce it"},
+    [FAILED_SOLVES] = {"solve",
+                       "more solves failed than the check permits, or one has no reason; each is "
+                       "listed below"},
+    [NO_QUANTITY] = {"solve", "the solve did not deliver the quantity"},
+    [NO_TRACE] = {"reference", "the trace of the scene failed"},
+    [NO_SCENE] = {"reference",
+                  "it does not contain this scene: add the scene to it, or exclude the scene from "
+                  "the check by `when`"},
+    [TRACE_WITHIN_ERRORS] = {"tolerance",
+                             "the difference is within the stated errors of both values together, "
+                             "{number}: the tolerance is smaller than these"},
+    [TRACE_DIFFERS] = {"program",
+                       "the trace of the same scene finds another pull-off: the continuation left "
+                       "its branch, or the trace missed a minimum; the greater pull-off force is "
+                       "probably correct"},
+    [SOLVER_FACTOR] = {"solver",
+                       "the results of {solver} are the expected values times {factor} at all "
+                       "{points}: a wrong unit, sign or factor"},
+    [SOLVER_CANNOT_SEE] = {"none",
+                           "{solver} follows stable equilibria and cannot see this value: the "
+                           "check does not count"},
+    [SOLVER_PUBLISHED] = {"solver",
+                          "{check} is a published table: check {solver} first, and whether its "
+                          "mesh is fine enough, then the publication and its digitisation"},
+    [SOLVER_ORACLE] = {"solver",
+                       "{check} was computed by an independent method: check {solver} first, and "
+                       "whether its mesh is fine enough"},
+    [SAME_AS_STORED] = {"reference",
+                        "the result is the stored one to the last bit, and it was accepted when no "
+                        "oracle contradicted it: the program did not change, but {check}, the "
+                        "tolerance or the check did; see git log -- {check}"},
+    [STORED_WAS_RIGHT] = {"program",
+                          "{check} and the stored value {number} agree, the result differs from "
+                          "both: the program changed"},
+    [STORED_WAS_WORSE] = {"program",
+                          "the result is not the stored one, {number}, either: the program "
+                          "changed, and the error decreased"},
+    [STORED_WAS_OTHER] = {"program", "the result is not the stored one either: the program "
+                                     "changed"},
+    [ORACLE_REFUTED] = {"reference", "{other} agrees with the result: check {check} first"},
+    [OTHER_AGREES_NOT] = {"program", "{other} does not agree with the result either"},
+    [ORACLE_ALONE] = {"program",
+                      "{check} was computed by an independent method and no other reference covers "
+                      "this number: check the program first, and whether its mesh is fine enough"},
+    [PUBLISHED_REFUTED] = {"publication",
+                           "{other} agrees with the result: the publication, or its digitisation, "
+                           "is wrong"},
+    [PUBLISHED_ALONE] = {"publication",
+                         "only {check} covers this number: the publication, its digitisation, or "
+                         "the program is wrong; an oracle would decide"},
+};
 
-/* The other results of the same point. Members are NULL if there is no such result. */
+/* What the words in braces stand for. */
 typedef struct {
-  const po_check_result *pin;     /* of the same quantity */
-  const po_check_result *for_it;  /* of another oracle, else of a published value, that passes */
-  const po_check_result *against; /* of another oracle, else of a published value, that fails */
-  size_t pins_held, pins_moved;   /* numbers of pins of all quantities except work */
-} other_results;
+  char check[128], other[160], solver[64], number[32], factor[PO_FACTOR_LENGTH], points[32];
+} word_list;
 
-static other_results collect(const po_check_results *check_results, const po_check_result *item) {
-  other_results others = {0};
+static const char *find_word(const word_list *words, const char *name, size_t length) {
+  const struct {
+    const char *name, *word;
+  } list[] = {{"check", words->check},   {"other", words->other},   {"solver", words->solver},
+              {"number", words->number}, {"factor", words->factor}, {"points", words->points}};
+  for (size_t i = 0; i < sizeof list / sizeof *list; ++i)
+    if (strlen(list[i].name) == length && strncmp(list[i].name, name, length) == 0)
+      return list[i].word;
+  return "";
+}
+
+static void compose_sentence(situation which, const word_list *words, po_blame *blame) {
+  size_t length = 0;
+  blame->side = SENTENCES[which].side;
+  blame->why[0] = '\0';
+  for (const char *c = SENTENCES[which].why; *c && length < sizeof blame->why;) {
+    const size_t plain = strcspn(c, "{");
+    const char *name = c + plain + (c[plain] == '{');
+    const size_t named = strcspn(name, "}");
+    length += (size_t)snprintf(blame->why + length, sizeof blame->why - length, "%.*s%s",
+                               (int)plain, c, c[plain] ? find_word(words, name, named) : "");
+    c = c[plain] ? name + named + 1 : name;
+  }
+}
+
+/* Returned: the other result of the same number of the same point that says most: one that passes
+ * before one that does not, an oracle before a published value; NULL if there is none. */
+static const po_check_result *find_other(const po_check_results *check_results,
+                                         const po_check_result *item) {
+  const po_check_result *best = NULL;
+  int most = -1;
   for (size_t i = 0; i < check_results->count; ++i) {
     const po_check_result *other = &check_results->items[i];
-    if (other == item || other->point != item->point || other->check->quantity == PO_WORK)
+    if (other == item || other->point != item->point || !isfinite(other->error) ||
+        strcmp(other->subject, item->subject) != 0)
       continue;
-    const bool same = strcmp(other->subject, item->subject) == 0;
-    if (other->ledger == PO_LEDGER_PIN) {
-      others.pins_held += po_verdict_is_plain(other->verdict);
-      others.pins_moved += is_verdict_of_pin_moved(other->verdict);
-      if (same)
-        others.pin = other;
-    } else if (same && isfinite(other->error)) {
-      const po_check_result **place =
-          po_verdict_passes(other->verdict) ? &others.for_it : &others.against;
-      if (!*place || other->ledger == PO_LEDGER_ORACLE)
-        *place = other;
+    const int weight = 2 * po_verdict_passes(other->verdict) + (other->ledger == PO_LEDGER_ORACLE);
+    if (weight > most) {
+      best = other;
+      most = weight;
     }
   }
-  return others;
-}
-
-/* The result equals the blessed value. At the blessing all oracles passed; now this oracle fails.
- */
-static void blame_frozen(const po_case_run *run, const po_check_result *item, po_blame *blame) {
-  const po_plan *plan = run->plan;
-  const po_reference *oracle = item->reference;
-  const po_reference *pins = NULL;
-  for (unsigned c = 0; c < plan->kase->file->checks_count; ++c)
-    if (plan->references[c].type == PO_REFERENCE_PINS)
-      pins = &plan->references[c];
-  const char *then = NULL;
-  for (size_t i = 0; pins && i < pins->table.header_count; ++i) {
-    const po_csv_header *header = &pins->table.headers[i];
-    const size_t length = strlen(oracle->name);
-    if (strncmp(header->key, "checked ", 8) == 0 &&
-        strncmp(header->value, oracle->name, length) == 0 &&
-        strncmp(header->value + length, " sha256 ", 8) == 0)
-      then = header->value + length + 8;
-  }
-  if (oracle->type == PO_REFERENCE_BRADLEY || !then)
-    say(blame, "program",
-        "the result is the blessed value, so the program did not change; %s was not among the "
-        "oracles that were checked then: either the result was wrong before, or the reference is",
-        oracle->name);
-  else if (strcmp(then, oracle->table.digest) != 0)
-    say(blame, "reference",
-        "the result is the blessed value, and %s passed then; the table has changed (sha256 "
-        "%.12s..., then %.12s...): the reference was altered, see git log -- %s",
-        oracle->name, oracle->table.digest, then, oracle->name);
-  else
-    say(blame, "tolerance",
-        "the result is the blessed value, and %s passed then; the table has not changed: the "
-        "tolerance, or the check, is newer than the blessing",
-        oracle->name);
-}
-
-static void blame_oracle(const po_case_run *run, const po_check_result *item,
-                         const other_results *others, po_blame *blame) {
-  const char *name = item->check->reference;
-  const po_check_result *pin = others->pin;
-  if (item->verdict == PO_WRONG_AND_FROZEN ||
-      (!pin && others->pins_held > 0 && others->pins_moved == 0))
-    blame_frozen(run, item, blame);
-  else if (pin && is_verdict_of_pin_moved(pin->verdict) &&
-           fabs(pin->expected - item->expected) <= item->allowance)
-    say(blame, "program",
-        "%s and the blessed value %.10g agree, the result differs from both: the program changed",
-        name, pin->expected);
-  else if (others->pins_moved > 0)
-    say(blame, "program", "the result is not the blessed value either: the program changed%s",
-        pin && fabs(item->error) < fabs(pin->expected - item->expected)
-            ? ", and the error decreased"
-            : "");
-  else if (others->for_it)
-    say(blame, "reference", "%s (%s) agrees with the result: check %s first",
-        others->for_it->check->reference, PO_LEDGERS[others->for_it->ledger], name);
-  else if (others->against)
-    say(blame, "program", "%s (%s) does not agree with the result either",
-        others->against->check->reference, PO_LEDGERS[others->against->ledger]);
-  else
-    say(blame, "program",
-        "%s was computed by an independent method and no other reference covers this number: check "
-        "the program first, and whether its mesh is fine enough",
-        name);
-}
-
-static void blame_published(const po_check_result *item, const other_results *others,
-                            po_blame *blame) {
-  if (others->for_it)
-    say(blame, "publication",
-        "%s (%s) agrees with the result: the publication, or its digitisation, is wrong",
-        others->for_it->check->reference, PO_LEDGERS[others->for_it->ledger]);
-  else if (others->against)
-    say(blame, "program", "%s (%s) does not agree with the result either",
-        others->against->check->reference, PO_LEDGERS[others->against->ledger]);
-  else
-    say(blame, "publication",
-        "only %s covers this number: the publication, its digitisation, or the program is wrong; "
-        "an oracle would decide",
-        item->check->reference);
-}
-
-/* Given: `changed`, what computed the result: "program" or "solver". */
-static void blame_pin(const po_check_result *item, const other_results *others, const char *changed,
-                      po_blame *blame) {
-  const po_check_result *oracle = others->for_it ? others->for_it : others->against;
-  const bool has_oracle = oracle && oracle->ledger == PO_LEDGER_ORACLE;
-  if (item->check->quantity == PO_WORK)
-    say(blame, item->verdict == PO_IMPROVED ? "pin" : "program",
-        item->verdict == PO_IMPROVED ? "the program changed and needs less work: bless it"
-                                     : "the program changed and needs more work");
-  else if (has_oracle && po_verdict_passes(oracle->verdict) &&
-           fabs(item->expected - oracle->expected) > oracle->allowance)
-    say(blame, "pin",
-        "%s agrees with the result and not with the blessed value; bless would have refused that "
-        "value: the pin was altered, or the reference was",
-        oracle->check->reference);
-  else if (item->verdict == PO_IMPROVED)
-    say(blame, "pin", "the %s changed and the error decreased: bless it", changed);
-  else if (item->verdict == PO_REGRESSED)
-    say(blame, changed, "the %s changed, and its error against %s increased", changed,
-        oracle ? oracle->check->reference : "the oracle");
-  else
-    say(blame, changed,
-        "the %s, its compiler or its libraries changed, and no oracle decides which value is "
-        "better: find the cause, then correct it or bless the value",
-        changed);
+  return best;
 }
 
 /* A followed value differs from its trace, of which item->uncertainty is the stated error. */
-static void blame_traced(const po_case_run *run, const po_check_result *item, po_blame *blame) {
+static situation judge_traced(const po_case_run *run, const po_check_result *item,
+                              word_list *words) {
   const double errors =
       item->uncertainty +
       po_compare_stated_error(item->check->quantity, &run->points[item->point].result);
-  if (fabs(item->error) <= errors)
-    say(blame, "tolerance",
-        "the difference is within the stated errors of both values together, %.2g: the tolerance "
-        "is smaller than these",
-        errors);
-  else
-    say(blame, "program",
-        "the trace of the same scene finds another pull-off: the continuation left its branch, or "
-        "the trace missed a minimum; the greater pull-off force is probably correct");
+  snprintf(words->number, sizeof words->number, "%.2g", errors);
+  return fabs(item->error) <= errors ? TRACE_WITHIN_ERRORS : TRACE_DIFFERS;
 }
 
-/* Handles the verdicts that do not depend on other references. Returned: whether it did. */
-static bool blame_alone(const po_case_run *run, const po_check_result *item, po_blame *blame) {
-  const bool pin = item->ledger == PO_LEDGER_PIN;
-  if (item->whole && !po_verdict_passes(item->verdict)) {
-    say(blame, "solve",
-        "more solves failed than the check permits, or one has no reason; each is listed below");
-    return true;
-  }
-  if (item->verdict == PO_OUTSIDE && item->check->type == PO_REFERENCE_TRACED) {
-    blame_traced(run, item, blame);
-    return true;
-  }
+/* Handles what does not depend on other references. Returned: SITUATIONS if they decide. */
+static situation judge_alone(const po_case_run *run, const po_check_result *item,
+                             word_list *words) {
+  const bool traced = item->check->type == PO_REFERENCE_TRACED;
+  if (item->whole && !po_verdict_passes(item->verdict))
+    return FAILED_SOLVES;
   switch (item->verdict) {
-  case PO_IDENTICAL:
   case PO_WITHIN:
-    say(blame, "none", "%s", "");
-    return true;
+    return PASSES;
   case PO_SLACK:
-    say(blame, "tolerance",
-        "it is so wide that the check would not detect an error a thousand times larger: reduce "
-        "it");
-    return true;
+    return SLACK;
   case PO_NO_RESULT:
-    say(blame, "solve", "the solve did not deliver the quantity");
-    return true;
+    return NO_QUANTITY;
   case PO_MISSING_REFERENCE:
-    say(blame, pin ? "pin" : "reference",
-        pin ? "it is not blessed yet"
-        : item->check->type == PO_REFERENCE_TRACED
-            ? "the trace of the scene failed"
-            : "it does not contain this scene: add the scene to it, or exclude the scene from the "
-              "check by `when`");
-    return true;
+    return traced ? NO_TRACE : NO_SCENE;
   default:
-    return false;
+    return traced ? judge_traced(run, item, words) : SITUATIONS;
   }
 }
 
@@ -222,10 +184,11 @@ enum { MOST_PAIRS = 100 };
 
 /* The results of an external solver. A factor between the obtained and the expected numbers of a
  * quantity, the same at all points, is named. */
-static void blame_solver(const po_case_run *run, const po_check_result *item, po_blame *blame) {
+static situation judge_solver(const po_case_run *run, const po_check_result *item,
+                              word_list *words) {
   po_pair pairs[MOST_PAIRS];
   size_t count = 0;
-  char factor[PO_FACTOR_LENGTH] = "1";
+  strcpy(words->factor, "1");
   for (size_t i = 0; i < run->check_results.count && count < MOST_PAIRS; ++i) {
     const po_check_result *other = &run->check_results.items[i];
     if (other->check == item->check && strcmp(other->quantity, item->quantity) == 0 &&
@@ -233,40 +196,58 @@ static void blame_solver(const po_case_run *run, const po_check_result *item, po
       pairs[count++] = (po_pair){other->obtained, other->expected,
                                  &run->plan->kase->points[other->point].request.scene};
   }
-  if (count > 0 && po_recognise_factor(pairs, count, CLOSE, factor) && strcmp(factor, "1") != 0)
-    say(blame, "solver",
-        "the results of %s are the expected values times %s at all %zu %s: a wrong "
-        "unit, sign or factor",
-        run->plan->solver->name, factor, count, po_one_or_more(count, "point", "points"));
-  else if (item->verdict == PO_NOT_REACHABLE)
-    say(blame, "none",
-        "%s follows stable equilibria and cannot see this value: the check does not "
-        "count",
-        run->plan->solver->name);
-  else if (item->ledger == PO_LEDGER_PUBLISHED)
-    say(blame, "solver",
-        "%s is a published table: check %s first, and whether its mesh is fine enough, then the "
-        "publication and its digitisation",
-        item->check->reference, run->plan->solver->name);
-  else
-    say(blame, "solver",
-        "%s was computed by an independent method: check %s first, and whether its mesh is fine "
-        "enough",
-        item->check->reference, run->plan->solver->name);
+  snprintf(words->points, sizeof words->points, "%zu %s", count,
+           po_one_or_more(count, "point", "points"));
+  if (count > 0 && po_recognise_factor(pairs, count, CLOSE, words->factor) &&
+      strcmp(words->factor, "1") != 0)
+    return SOLVER_FACTOR;
+  return item->verdict == PO_NOT_REACHABLE     ? SOLVER_CANNOT_SEE
+         : item->ledger == PO_LEDGER_PUBLISHED ? SOLVER_PUBLISHED
+                                               : SOLVER_ORACLE;
+}
+
+/* An oracle contradicts a result of this program. The stored force is known if the number is the
+ * pull-off force. */
+static situation judge_oracle(const po_check_result *item, const po_check_result *other,
+                              const po_point_identity *stored, word_list *words) {
+  const bool is_force = item->check->quantity == PO_PULL_OFF_FORCE && isfinite(stored->pin.force);
+  const double error = fabs(stored->pin.force - item->expected);
+  if (stored->known && is_force)
+    snprintf(words->number, sizeof words->number, "%.10g", stored->pin.force);
+  if (stored->known && stored->same)
+    return SAME_AS_STORED;
+  if (stored->known && is_force && error <= item->allowance)
+    return STORED_WAS_RIGHT;
+  if (stored->known)
+    return is_force && fabs(item->error) < error ? STORED_WAS_WORSE : STORED_WAS_OTHER;
+  if (!other)
+    return ORACLE_ALONE;
+  return po_verdict_passes(other->verdict) ? ORACLE_REFUTED : OTHER_AGREES_NOT;
+}
+
+static situation judge_program(const po_case_run *run, const po_check_result *item,
+                               word_list *words) {
+  const po_check_result *other = find_other(&run->check_results, item);
+  po_point_identity stored;
+  if (po_identity_point(run, item->point, &stored))
+    stored = (po_point_identity){0};
+  if (other)
+    snprintf(words->other, sizeof words->other, "%s (%s)", other->check->reference,
+             PO_LEDGERS[other->ledger]);
+  if (item->ledger == PO_LEDGER_ORACLE)
+    return judge_oracle(item, other, &stored, words);
+  return !other                              ? PUBLISHED_ALONE
+         : po_verdict_passes(other->verdict) ? PUBLISHED_REFUTED
+                                             : OTHER_AGREES_NOT;
 }
 
 void po_blame_find(const po_case_run *run, const po_check_result *item, po_blame *blame) {
-  if (blame_alone(run, item, blame))
-    return;
-  if (run->plan->solver && item->ledger != PO_LEDGER_PIN) {
-    blame_solver(run, item, blame);
-    return;
-  }
-  const other_results others = collect(&run->check_results, item);
-  if (item->ledger == PO_LEDGER_ORACLE)
-    blame_oracle(run, item, &others, blame);
-  else if (item->ledger == PO_LEDGER_PUBLISHED)
-    blame_published(item, &others, blame);
-  else
-    blame_pin(item, &others, run->plan->solver ? "solver" : "program", blame);
+  word_list words = {0};
+  snprintf(words.check, sizeof words.check, "%s", item->check->reference);
+  if (run->plan->solver)
+    snprintf(words.solver, sizeof words.solver, "%s", run->plan->solver->name);
+  situation found = judge_alone(run, item, &words);
+  if (found == SITUATIONS)
+    found = run->plan->solver ? judge_solver(run, item, &words) : judge_program(run, item, &words);
+  compose_sentence(found, &words, blame);
 }

@@ -165,12 +165,11 @@ static void set_commands(const po_case_run *run, const po_finding *finding, cons
 
 static void explain_numbers(const po_check_result *item, po_text *text) {
   const po_check *check = item->check;
-  const char *reference = po_reference_shown(item->reference);
   if (isfinite(item->obtained))
     po_text_add(text, "  obtained   %.12g\n", item->obtained);
   if (isfinite(item->expected))
     po_text_add(text, "  expected   %.12g\n", item->expected);
-  po_text_add(text, "  ledger     %s: %s", PO_LEDGERS[item->ledger], reference);
+  po_text_add(text, "  ledger     %s: %s", PO_LEDGERS[item->ledger], item->reference->name);
   if (isfinite(item->uncertainty) && item->uncertainty > 0)
     po_text_add(text, ", with an uncertainty of %.2g", item->uncertainty);
   po_text_add(text, "\n");
@@ -178,11 +177,8 @@ static void explain_numbers(const po_check_result *item, po_text *text) {
     return;
   po_text_add(text, "  %s %+.3g, ", check->quantity == PO_CURVE ? "distance  " : "difference",
               item->error);
-  if (isfinite(item->ratio)) /* not of a pin that is 0 */
-    po_text_add(text, "%.4g times", item->ratio);
-  else
-    po_text_add(text, "expected none: the value is 0, and so is");
-  po_text_add(text, " the tolerance of %s %s\n", check->tolerance_text, check->kind_text);
+  po_text_add(text, "%.4g times the tolerance of %s %s\n", item->ratio, check->tolerance_text,
+              check->kind_text);
 }
 
 static void explain_item(const po_case_run *run, const po_finding *finding, const char *output,
@@ -251,7 +247,7 @@ static json_t *item_json(const po_case_run *run, const po_finding *finding, cons
       {"error", po_json_number(item->error)}, {"ratio", po_json_number(item->ratio)},
       {"tolerance", po_json_number(check->tolerance)}, {"kind", po_json_text(check->kind_text)},
       {"reference_uncertainty", po_json_number(item->uncertainty)},
-      {"reference", po_json_text(po_reference_shown(item->reference))}, {"where", where},
+      {"reference", po_json_text(item->reference->name)}, {"where", where},
       {"fault", po_json_text(blame.side)}, {"why", po_json_text(blame.why)},
       {"because", po_json_text(check->because)}, {"note", po_json_text(item->note)});
   set_commands(run, finding, output, &object);

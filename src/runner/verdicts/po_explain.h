@@ -40,7 +40,7 @@ json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice)
 
 /* Which side is probably wrong if references disagree, and why. */
 typedef struct {
-  const char *side; /* "none", "program", "solver", "solve", "reference", "publication", "pin",
+  const char *side; /* "none", "program", "solver", "solve", "reference", "publication",
                        "tolerance" */
   char why[400];
 } po_blame;

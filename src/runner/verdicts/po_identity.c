@@ -3,19 +3,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_pins.h"
 #include "po_record.h"
 #include "po_text.h"
 
 /* Relative difference of a pull-off force up to which it may be due to rounding. */
 static const double ROUNDING = 1e-9;
 
-/* What differs in one case. */
-typedef struct {
-  size_t compared, different, pins;
-  size_t point; /* with the largest difference */
-  double largest, stored;
-} difference;
+/* Increase of a counter of work that makes a case fail. */
+static const double MORE = 0.1;
 
 /* A result without a pull-off, or one that has lost or gained it, differs beyond measure. */
 static double relative_difference(double force, double stored) {
@@ -25,28 +20,27 @@ static double relative_difference(double force, double stored) {
                                          : fabs(force - stored) / fabs(stored);
 }
 
-static po_status compare_point(const po_case_run *run, const po_reference *digests, size_t i,
-                               po_identity *identity, difference *found) {
-  const po_result *result = &run->points[i].result;
-  const char *stored = NULL;
+po_status po_identity_point(const po_case_run *run, size_t point, po_point_identity *identity) {
+  const po_pins *pins = &run->plan->pins;
+  const po_result *result = &run->points[point].result;
   char digest[PO_RESULT_DIGEST_LENGTH];
-  double force = 0;
-  po_status status = po_digests_find(digests, i, run->plan->kase->points[i].id, &stored, &force);
-  if (status)
-    return status == PO_NOT_FOUND ? PO_OK : status;
-  status = po_record_digest(run, i, digest);
+  size_t row = 0;
+  *identity = (po_point_identity){0};
+  if (run->plan->solver || !po_pins_find(pins, point, run->plan->kase->points[point].id, &row))
+    return PO_OK;
+  po_status status = po_pins_read(pins, row, &identity->pin);
+  if (!status)
+    status = po_record_digest(run, point, digest);
   if (status)
     return status;
-  found->compared += 1;
-  if (strcmp(digest, stored) == 0)
-    return PO_OK;
-  const double differs =
-      relative_difference(result->has_pull_off ? result->pull_off.force : (double)NAN, force);
-  identity->beyond += differs > ROUNDING;
-  if (!found->different++ || differs > found->largest) {
-    found->point = i;
-    found->largest = differs;
-    found->stored = force;
+  identity->known = identity->worked = true;
+  identity->same = strcmp(digest, identity->pin.digest) == 0;
+  identity->difference = relative_difference(
+      result->has_pull_off ? result->pull_off.force : (double)NAN, identity->pin.force);
+  for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter) {
+    const double stored = identity->pin.work[counter];
+    identity->worked = identity->worked && (isnan(stored) || result->status ||
+                                            stored == po_work_count(&result->work, counter));
   }
   return PO_OK;
 }
@@ -79,76 +73,113 @@ static void add_oracles(const po_case_run *run, size_t point, po_text *text) {
   po_text_add(text, "%s", *before ? " can judge it" : "no oracle can judge it");
 }
 
-/* Adds the lines of a case, and counts its pins that differ. */
-static void describe(const po_case_run *run, difference *found, po_text *lines) {
-  const po_case *kase = run->plan->kase;
-  if (found->different) {
-    po_text_add(lines,
-                "%s: %zu of %zu %s not the stored ones; the pull-off force of %s differs "
-                "most, by %.2g of %.10g: ",
-                kase->file->name, found->different, found->compared,
-                po_one_or_more(found->compared, "result is", "results are"),
-                kase->points[found->point].label, found->largest, found->stored);
-    add_oracles(run, found->point, lines);
-    po_text_add(lines, "\n");
-  }
-  for (size_t i = 0; i < run->check_results.count; ++i) {
-    const po_check_result *pin = &run->check_results.items[i];
-    if (pin->ledger != PO_LEDGER_PIN || pin->verdict == PO_IDENTICAL)
-      continue;
-    found->pins += 1;
-    if (pin->verdict == PO_MISSING_REFERENCE)
-      po_text_add(lines, "%s: %s has no pin\n", kase->file->name, pin->id);
-    else
-      po_text_add(lines, "%s: %s is not its pin: %.17g for %.17g\n", kase->file->name, pin->id,
-                  pin->obtained, pin->expected);
+/* What was found in one case. */
+typedef struct {
+  po_identity *counts;
+  size_t point;                                                 /* with the largest difference */
+  double stored;                                                /* its force */
+  double work[PO_WORK_COUNTERS], stored_work[PO_WORK_COUNTERS]; /* sums */
+} comparison;
+
+static void count_point(const po_case_run *run, size_t point, const po_point_identity *one,
+                        comparison *found) {
+  po_identity *counts = found->counts;
+  const po_result *result = &run->points[point].result;
+  const bool first = counts->identical == counts->compared;
+  counts->compared += 1;
+  counts->identical += one->same;
+  counts->other_work += !one->worked;
+  for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter)
+    if (!isnan(one->pin.work[counter]) && !result->status) {
+      found->work[counter] += po_work_count(&result->work, counter);
+      found->stored_work[counter] += one->pin.work[counter];
+    }
+  if (one->same)
+    return;
+  counts->beyond += one->difference > ROUNDING;
+  if (first || one->difference > counts->largest) {
+    found->point = point;
+    found->stored = one->pin.force;
+    counts->largest = one->difference;
   }
 }
 
-static po_status compare_case(const po_case_run *run, po_identity *identity, po_text *lines) {
+static void describe_results(const po_case_run *run, const comparison *found, po_text *lines) {
   const po_case *kase = run->plan->kase;
-  po_reference digests;
-  char scenes[PO_DIGEST_LENGTH];
-  difference found = {0};
-  po_status status = po_digests_open(kase, scenes, &digests);
-  if (!status && po_pins_exist(&digests) && !digests.table.row_count) {
-    identity->other_scenes += 1;
+  const po_identity *counts = found->counts;
+  po_text_add(lines,
+              "%s: %zu of %zu %s not the stored ones; the pull-off force of %s differs "
+              "most, by %.2g of %.10g: ",
+              kase->file->name, counts->compared - counts->identical, counts->compared,
+              po_one_or_more(counts->compared, "result is", "results are"),
+              kase->points[found->point].label, counts->largest, found->stored);
+  add_oracles(run, found->point, lines);
+  po_text_add(lines, "\n");
+}
+
+static void describe_work(const po_case_run *run, comparison *found, po_text *lines) {
+  po_text_add(lines,
+              "%s: %zu of %zu %s other work than the stored ones:", run->plan->kase->file->name,
+              found->counts->other_work, found->counts->compared,
+              po_one_or_more(found->counts->compared, "result took", "results took"));
+  const char *before = " ";
+  for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter) {
+    const double more = found->work[counter] / found->stored_work[counter] - 1;
+    if (found->work[counter] == found->stored_work[counter])
+      continue;
+    po_text_add(lines, "%s%s %+.1f %%", before, PO_WORK_COUNTER_NAMES[counter], 100 * more);
+    before = ", ";
+    if (more > MORE)
+      found->counts->more_work = 1;
+  }
+  po_text_add(lines, "%s\n", *before == ',' ? " in all" : " the sums are the same");
+}
+
+po_status po_identity_compare(const po_case_run *run, po_identity *identity, po_text *lines) {
+  const po_case *kase = run->plan->kase;
+  comparison found = {.counts = identity};
+  po_status status = PO_OK;
+  *identity = (po_identity){0};
+  if (run->plan->solver)
+    return PO_OK;
+  if (run->plan->pins.other_scenes) {
+    identity->other_scenes = 1;
     po_text_add(lines,
                 "%s: its scenes are not those whose results were stored, and none is compared; "
                 "pulloff bless %s --reason TEXT stores the results of these scenes\n",
                 kase->file->name, po_case_word(kase));
   }
-  for (size_t i = 0; !status && i < kase->point_count; ++i)
+  for (size_t i = 0; !status && i < kase->point_count; ++i) {
+    po_point_identity one = {0};
     if (run->points[i].asked)
-      status = compare_point(run, &digests, i, identity, &found);
-  po_reference_close(&digests);
-  describe(run, &found, lines);
-  identity->compared += found.compared;
-  identity->identical += found.compared - found.different;
-  identity->pins += found.pins;
-  identity->largest = fmax(identity->largest, found.largest);
-  return status;
-}
-
-po_status po_identity_check(const po_case_run *runs, size_t count) {
-  po_status status = PO_OK;
-  for (size_t r = 0; !status && r < count; ++r) {
-    po_reference digests;
-    char scenes[PO_DIGEST_LENGTH];
-    status = po_digests_open(runs[r].plan->kase, scenes, &digests);
-    po_reference_close(&digests);
+      status = po_identity_point(run, i, &one);
+    if (!status && one.known)
+      count_point(run, i, &one, &found);
   }
-  return status;
+  if (!status && identity->identical < identity->compared)
+    describe_results(run, &found, lines);
+  if (!status && identity->other_work)
+    describe_work(run, &found, lines);
+  return status ? status : lines->failed ? PO_NO_MEMORY : PO_OK;
 }
 
-po_status po_identity_compare(const po_case_run *runs, size_t count, po_identity *identity,
-                              po_text *lines) {
-  po_status status = PO_OK;
-  *identity = (po_identity){0};
-  for (size_t r = 0; !status && r < count; ++r)
-    if (!runs[r].plan->solver)
-      status = compare_case(&runs[r], identity, lines);
-  return status ? status : lines->failed ? PO_NO_MEMORY : PO_OK;
+bool po_identity_passes(const po_identity *identity) {
+  return !identity->beyond && !identity->more_work;
+}
+
+po_identity po_identity_sum(const po_identity *identities, size_t count) {
+  po_identity sum = {0};
+  for (size_t i = 0; i < count; ++i) {
+    const po_identity *one = &identities[i];
+    sum = (po_identity){.compared = sum.compared + one->compared,
+                        .identical = sum.identical + one->identical,
+                        .beyond = sum.beyond + one->beyond,
+                        .other_work = sum.other_work + one->other_work,
+                        .more_work = sum.more_work + one->more_work,
+                        .other_scenes = sum.other_scenes + one->other_scenes,
+                        .largest = fmax(sum.largest, one->largest)};
+  }
+  return sum;
 }
 
 void po_identity_add(const po_identity *identity, po_text *text) {
@@ -163,5 +194,7 @@ void po_identity_add(const po_identity *identity, po_text *text) {
                 identity->largest);
   if (identity->beyond)
     po_text_add(text, ", %zu by more than rounding", identity->beyond);
+  if (identity->other_work)
+    po_text_add(text, "; %zu took other work", identity->other_work);
   po_text_add(text, "\n");
 }

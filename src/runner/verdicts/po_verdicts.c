@@ -54,7 +54,7 @@ void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
       po_text_add(text, ", %zu %s not", total - passing,
                   po_one_or_more(total - passing, "does", "do"));
     const char *before = " (";
-    for (int v = PO_OUTSIDE; v < PO_VERDICT_COUNT; ++v)
+    for (int v = PO_WITHIN + 1; v < PO_VERDICT_COUNT; ++v)
       if (of[v] && po_verdict_passes((po_verdict)v) == passes) {
         po_text_add(text, "%s%zu %s", before, of[v], PO_VERDICTS[v]);
         before = ", ";
@@ -104,13 +104,19 @@ static void name_finding(const po_case_run *run, const po_finding *finding, name
            item->check->kind_text, item->note[0] ? "; " : "", item->note);
 }
 
-void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
+/* The comparison with the pins as a test for other programs. */
+static const char STORED[] = "stored_results/pin";
+
+void po_verdicts_tap(const po_case_run *runs, const po_identity *identities, size_t count,
+                     po_text *text) {
   size_t total = 0, number = 0;
-  for (size_t r = 0; r < count; ++r)
+  for (size_t r = 0; r < count; ++r) {
+    total += identities[r].compared > 0;
     for (po_finding f = {0}; po_finding_next(&runs[r], &f);)
       total += 1;
+  }
   po_text_add(text, "TAP version 13\n1..%zu\n", total);
-  for (size_t r = 0; r < count; ++r)
+  for (size_t r = 0; r < count; ++r) {
     for (po_finding f = {0}; po_finding_next(&runs[r], &f);) {
       named test;
       name_finding(&runs[r], &f, &test);
@@ -119,6 +125,10 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
       if (!f.plain)
         po_text_add(text, "# %s\n", test.words);
     }
+    if (identities[r].compared)
+      po_text_add(text, "%s %zu - %s %s\n", po_identity_passes(&identities[r]) ? "ok" : "not ok",
+                  ++number, runs[r].plan->name, STORED);
+  }
 }
 
 /* Adds a string to XML, which must be UTF-8 without U+FFFE and U+FFFF: both become U+FFFD. */
@@ -157,20 +167,25 @@ static void junit_test(const po_case_run *run, const po_finding *finding, po_tex
   po_text_add(text, finding->passes ? "</system-out></testcase>\n" : "\"/></testcase>\n");
 }
 
-static void junit_suite(const po_case_run *run, po_text *text) {
+static void junit_suite(const po_case_run *run, const po_identity *identity, po_text *text) {
   const size_t failures = po_case_run_failures(run);
+  const bool passes = po_identity_passes(identity);
   po_text_add(text, "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" time=\"%.3f\">\n",
-              run->plan->name, run->check_results.count + failures,
-              po_case_run_outside(run) + failures, run->elapsed);
+              run->plan->name, run->check_results.count + failures + (identity->compared > 0),
+              po_case_run_outside(run) + failures + !passes, run->elapsed);
   for (po_finding f = {0}; po_finding_next(run, &f);)
     junit_test(run, &f, text);
+  if (identity->compared)
+    po_text_add(text, "    <testcase classname=\"%s\" name=\"%s\"%s\n", run->plan->name, STORED,
+                passes ? "/>" : "><failure message=\"other than the stored ones\"/></testcase>");
   po_text_add(text, "  </testsuite>\n");
 }
 
-void po_verdicts_junit(const po_case_run *runs, size_t count, po_text *text) {
+void po_verdicts_junit(const po_case_run *runs, const po_identity *identities, size_t count,
+                       po_text *text) {
   po_text_add(text, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
   for (size_t r = 0; r < count; ++r)
-    junit_suite(&runs[r], text);
+    junit_suite(&runs[r], &identities[r], text);
   po_text_add(text, "</testsuites>\n");
 }
 
