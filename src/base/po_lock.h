@@ -5,10 +5,10 @@
 
 /* What a lock guards. A thread that holds one may take only those below it. */
 typedef enum {
-  PO_LOCK_CALLS,      /* the count of threads that use the library */
-  PO_LOCK_WORK_AREAS, /* those of OpenBLAS */
-  PO_LOCK_PANELS,     /* the influence coefficients that all solves share */
-  PO_LOCK_TABLES,     /* the tables of profiles and materials that were read */
+  PO_LOCK_CALLS,    /* the count of threads that use the library */
+  PO_LOCK_OPENBLAS, /* it is called by one thread at a time */
+  PO_LOCK_PANELS,   /* the influence coefficients that all solves share */
+  PO_LOCK_TABLES,   /* the tables of profiles and materials that were read */
   PO_LOCKS
 } po_lock;
 

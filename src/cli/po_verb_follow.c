@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_linear.h"
 #include "po_live.h"
 #include "po_memory.h"
 #include "po_options.h"
@@ -218,9 +217,7 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
     status = make_request(line, k, &requests[k], &scenes[k], &values[k]);
   if (status)
     return status;
-  status = po_linear_reserve(1);
-  if (!status)
-    status = compute(line, requests, results);
+  status = compute(line, requests, results);
   status = po_no_memory_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");

@@ -3,35 +3,27 @@
 #include <stdio.h>
 
 #include "po_library.h"
-#include "po_linear.h"
 #include "po_lock.h"
 #include "po_machine.h"
 
 static int users; /* threads between enter and leave */
 static gsl_error_handler_t *handler;
-static int blas_threads;
 
-/* The first thread changes the state of the process. OpenBLAS needs a work area for each thread. */
-static po_status begin_use(void) {
+/* The first thread changes the state of the process. */
+static void begin_use(void) {
   po_lock_take(PO_LOCK_CALLS);
-  if (users == 0) {
+  if (users == 0)
     handler = gsl_set_error_handler_off();
-    blas_threads = po_linear_share_threads();
-  }
   users += 1;
-  const po_status status = po_linear_reserve(users);
   po_lock_release(PO_LOCK_CALLS);
-  return status;
 }
 
 /* The last thread restores it. */
 static void end_use(void) {
   po_lock_take(PO_LOCK_CALLS);
   users -= 1;
-  if (users == 0) {
+  if (users == 0)
     gsl_set_error_handler(handler);
-    po_linear_return_threads(blas_threads);
-  }
   po_lock_release(PO_LOCK_CALLS);
 }
 
@@ -41,12 +33,7 @@ po_status po_library_enter(po_library_call *call) {
   call->entered = false;
   if (!po_machine_plain_locale(&call->locale))
     return po_fail(PO_NO_MEMORY, "out of memory for the locale C");
-  const po_status status = begin_use();
-  if (status) {
-    end_use();
-    po_machine_set_locale(call->locale);
-    return status;
-  }
+  begin_use();
   call->entered = true;
   fegetenv(&call->floating_point);
   fesetenv(FE_DFL_ENV);

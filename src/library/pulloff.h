@@ -36,9 +36,9 @@
  * by one thread while no other one uses it; scenes and results that nobody changes may be used by
  * several threads.
  *
- * The process. While a function of this library runs, the error handler of GSL is off and OpenBLAS
- * uses one thread; both settings, which belong to the process, are restored when no thread is in
- * such a function any more. Locale and floating-point environment are those of the calling thread
+ * The process. While a function of this library runs, the error handler of GSL is off, and while a
+ * condition number is computed, OpenBLAS uses one thread. Both settings, which belong to the
+ * process, are restored. Locale and floating-point environment are those of the calling thread
  * again when a function returns. */
 #ifndef PULLOFF_H
 #define PULLOFF_H

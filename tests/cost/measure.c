@@ -142,7 +142,6 @@ int main(int argc, char **argv) {
     return 2;
   }
   json_t *document = json_object();
-  po_linear_single_thread();
   const po_status status = measure_all(few ? FEW : MESHES, few ? FEW : WAVES, document);
   char *text = status ? NULL : json_dumps(document, JSON_INDENT(1) | JSON_REAL_PRECISION(6));
   json_decref(document);

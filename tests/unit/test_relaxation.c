@@ -158,7 +158,6 @@ LOOP_TEST(relaxation_after_a_jump_agrees_with_the_path, 0, 2) {
   request.preload.approach = LOOPS[_i].preload;
   po_result o;
   po_surface *surface = NULL;
-  po_linear_single_thread();
   ck_assert_int_eq(po_solve(&request, &o), PO_OK);
   ck_assert_int_eq(po_surface_create(&request.scene, &request.mesh, NAN, true, &surface), PO_OK);
   const po_loop *loop = &o.hysteresis.of[PO_AT_APPROACH];

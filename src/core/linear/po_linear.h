@@ -8,23 +8,6 @@
 
 #include "po_status.h"
 
-/* Limits OpenBLAS to one thread: the program runs several solves in parallel, not one solve on
- * several threads. Later calls have no effect. */
-void po_linear_single_thread(void);
-
-/* For a library, in a process that uses OpenBLAS itself: limits OpenBLAS to one thread until
- * po_linear_return_threads. Later calls of po_linear_single_thread have no effect. The caller
- * ensures that no other thread calls functions of this header meanwhile. Returned: the number of
- * threads before, to be returned. */
-int po_linear_share_threads(void);
-void po_linear_return_threads(int threads);
-
-/* As po_linear_single_thread; also ensures that `threads` threads of the program can solve at the
- * same time. OpenBLAS maps a work area of 128 MB of address space (x86-64) for each thread at its
- * first solve, and retries for ever if there is no space. This function maps the areas in advance.
- * Status: PO_NO_MEMORY if the address space is too small. */
-po_status po_linear_reserve(int threads);
-
 /* The version of the loaded library, e.g. "OpenBLAS 0.3.21 ...". */
 const char *po_linear_library(void);
 

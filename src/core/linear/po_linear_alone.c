@@ -1,5 +1,4 @@
-/* In place of po_linear.c where there is no OpenBLAS, which has threads to limit: libraries that
- * need the C library alone, and the solver in a page. The condition number is estimated by the
+/* In place of po_linear.c where there is no OpenBLAS: libraries that need the C library alone, and the solver in a page. The condition number is estimated by the
  * method of LAPACK's dgecon, with the sums of po_dense.c. */
 #include <math.h>
 #include <stdio.h>
@@ -7,21 +6,6 @@
 
 #include "po_linear.h"
 #include "po_memory.h"
-
-void po_linear_single_thread(void) {}
-
-int po_linear_share_threads(void) {
-  return 1;
-}
-
-void po_linear_return_threads(int threads) {
-  (void)threads;
-}
-
-po_status po_linear_reserve(int threads) {
-  (void)threads;
-  return PO_OK;
-}
 
 /* The inverse of a matrix by its factors, whose 1-norm is estimated. */
 typedef struct {

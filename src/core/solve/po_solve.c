@@ -5,7 +5,6 @@
 
 #include "po_deadline.h"
 #include "po_diagnose.h"
-#include "po_linear.h"
 #include "po_load_unit.h"
 #include "po_machine.h"
 #include "po_reduced.h"
@@ -287,10 +286,9 @@ static po_status trace_attempts(const po_request *request, po_kept_points *kept,
   *result = po_result_none();
   const double begin = po_clock_wall();
   po_message_clear();
-  po_status status = po_linear_reserve(1);
-  if (!status)
-    status = kept && kept->which == PO_KEEP_FOLDS ? attempt(request, 0, kept, result)
-                                                  : attempt_ranges(request, kept, result);
+  const po_status status = kept && kept->which == PO_KEEP_FOLDS
+                               ? attempt(request, 0, kept, result)
+                               : attempt_ranges(request, kept, result);
   result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
   return status;
 }

@@ -10,7 +10,6 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_job.h"
-#include "po_linear.h"
 #include "po_record.h"
 #include "po_store.h"
 #include "po_text.h"
@@ -281,9 +280,7 @@ static po_status work_through(po_crew *crew, size_t count) {
   if (!jobs)
     return PO_NO_MEMORY;
   const int threads = shared < (size_t)crew->jobs ? (int)shared : crew->jobs;
-  po_status status = total ? po_linear_reserve(threads > 1 ? threads : 1) : PO_OK;
-  if (!status)
-    status = mark_interleaved(crew, count);
+  const po_status status = mark_interleaved(crew, count);
   if (status) {
     free(jobs);
     return status;
