@@ -19,4 +19,4 @@ for shard in 1 2 3 4; do # each line on a machine of its own: see "Several machi
 done
 pulloff merge shards/*
 pulloff verify map.yaml
-pulloff plot map.yaml "$1"
+pulloff plot --case map.yaml "$1"

@@ -11,10 +11,10 @@ typedef struct {
   po_scene_options scene;
   po_request request;
   const char *curve, *profile, *staircase, *loop, *history; /* files; NULL: none */
-  const char *smoothed;   /* file of the smoothed profile; NULL: none */
-  const char *plot, *run; /* figure, and folder of records; NULL: none */
-  const char *theory;     /* the one to be compared; NULL: all */
-  int tables;             /* that are written to standard output: see po_solve_line_end */
+  const char *smoothed;             /* file of the smoothed profile; NULL: none */
+  const char *plot, *of_case, *run; /* figure; case and folder of records of plot; NULL: none */
+  const char *theory;               /* the one to be compared; NULL: all */
+  int tables;                       /* that are written to standard output: see po_solve_line_end */
   bool json, warned; /* the latter: whether _end need not warn of lengths that look like metres */
 } po_solve_line;
 

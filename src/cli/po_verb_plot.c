@@ -14,11 +14,11 @@
 
 static const char HELP[] =
     "Usage: pulloff plot [OPTION]... [FILE]\n"
-    "       pulloff plot [--run DIR] CASE [FILE]\n"
+    "       pulloff plot --case CASE [--run DIR] [FILE]\n"
     "Plots one scene, which is given by the options of pulloff solve, or the pull-off forces of a\n"
     "case against the number that varies in it, or as a map if two numbers vary, with eight\n"
-    "values or more each. FILE ends in .svg, .png or .pdf and is drawn with gnuplot; without\n"
-    "FILE, the plot is printed as characters. Axes are in SI units after --from-physical.\n"
+    "values or more each. FILE ends in .svg, .png or .pdf ; without FILE, the plot is\n"
+    "printed as characters. gnuplot draws both. Axes are in SI units after --from-physical.\n"
     "\n"
     "  --want LIST       what is plotted, separated by commas (default: curve,hysteresis):\n"
     "                      curve        load against approach: the branch, its folds, the "
@@ -31,6 +31,7 @@ static const char HELP[] =
     "while\n"
     "                                   it is unloaded\n"
     "  --plot FILE       the same as FILE\n"
+    "  --case CASE       plot this case: a name (see pulloff list) or the path of a YAML file\n"
     "  --run DIR         folder of the records of CASE (default build/run); points without a\n"
     "                    result are solved\n"
     "  -h, --help        print this text\n"
@@ -40,18 +41,21 @@ static const char HELP[] =
     "\n"
     "Example: pulloff plot --tabor 3 --amplitude 1 --wavelength 20 wavy.svg\n"
     "         pulloff plot --tabor 3 --amplitude 1 --wavelength 20 --stiffness 0.3 spring.pdf\n"
-    "         pulloff plot fig15\n";
+    "         pulloff plot --case fig15\n";
 
 /* Beside the options of keys. */
 static const po_option OPTIONS[] = {
-    PO_TEXT("run", po_solve_line, run, "the name of a folder"), PO_SOLVE_LINE_OPTIONS, {0}};
+    PO_TEXT("case", po_solve_line, of_case, "the name of a case, or the path of its file"),
+    PO_TEXT("run", po_solve_line, run, "the name of a folder"),
+    PO_SOLVE_LINE_OPTIONS,
+    {0}};
 
-enum { RUN = PO_OPTION_ROWS }; /* the first of them */
+enum { CASE = PO_OPTION_ROWS, RUN }; /* the first of them */
 
 typedef struct {
   po_solve_line line;
   const po_options *options;
-  bool is_scene; /* an option other than --run and --plot is given */
+  bool is_scene; /* an option other than --case, --run and --plot is given */
 } plot_line;
 
 /* Takes one option of the command line. */
@@ -59,7 +63,8 @@ static po_status take(void *to, int option) {
   plot_line *p = to;
   const bool is_key = option < PO_OPTION_ROWS;
   p->is_scene = p->is_scene || is_key ||
-                (option != RUN && strcmp(OPTIONS[option - PO_OPTION_ROWS].name, "plot") != 0);
+                (option != CASE && option != RUN &&
+                 strcmp(OPTIONS[option - PO_OPTION_ROWS].name, "plot") != 0);
   return po_options_take(p->options, &p->line, option);
 }
 
@@ -308,26 +313,23 @@ static po_status plot_case(char *name, const char *run, const char *file) {
 
 /* -- The plot of a scene -- */
 
-/* Takes the operands of plot: a case, a figure, or both in this order. */
-static po_status take_operands(po_solve_line *line, const po_options *options, char **name) {
+/* Takes the operand of plot, a figure. */
+static po_status take_figure(po_solve_line *line, const po_options *options) {
   const int count = options->argc - optind;
   char **operand = options->argv + optind;
   char shown[PO_QUOTE_LENGTH];
-  const bool figure = count > 0 && po_plot_is_figure(operand[count - 1]);
-  if (count > 2 || (count == 2 && !figure))
-    return po_fail(PO_BAD_INPUT,
-                   "plot takes a case and a file that ends in .svg, .png or .pdf (see "
-                   "pulloff plot --help)");
-  if (count == 2 && po_plot_is_figure(operand[0]))
+  if (count > 1 || (count && line->plot))
     return po_fail(PO_BAD_INPUT, "%s is one file too many: expected only one figure",
-                   po_quote(operand[1], shown));
-  if (figure && line->plot)
-    return po_fail(PO_BAD_INPUT, "the figure is given twice: expected either --plot or FILE");
-  if (figure)
-    line->plot = operand[count - 1];
-  *name = count > figure ? operand[0] : NULL;
-  if (line->run && !*name)
-    return po_fail(PO_BAD_INPUT, "--run is given without a case: expected both");
+                   po_quote(operand[count - 1], shown));
+  if (count && !po_plot_is_figure(operand[0]))
+    return po_fail(PO_BAD_INPUT,
+                   "%s is no figure: expected the name of a file that ends in .svg, .png or .pdf; "
+                   "a case is given by --case",
+                   po_quote(operand[0], shown));
+  if (count)
+    line->plot = operand[0];
+  if (line->run && !line->of_case)
+    return po_fail(PO_BAD_INPUT, "--run is given without --case: expected both");
   const char *idle = line->json        ? "json"
                      : line->curve     ? "curve"
                      : line->profile   ? "profile-csv"
@@ -368,18 +370,15 @@ int po_verb_plot(int argc, char **argv) {
       take};
   plot_line p = {.line = po_solve_line_begin(), .options = &options};
   po_solve_line *line = &p.line;
-  char *name = NULL, shown[PO_QUOTE_LENGTH];
   po_status status = PO_OK;
   if (!po_options_read(&options, &p, &status))
     return po_options_end(status);
-  status = take_operands(line, &options, &name);
-  if (!status && name && p.is_scene)
-    status = po_fail(PO_BAD_INPUT,
-                     "options of a scene have no effect on a case: expected them to be left out, "
-                     "or a figure, which ends in .svg, .png or .pdf, in place of %s",
-                     po_quote(name, shown));
-  if (!status && name)
-    return po_options_end(plot_case(name, line->run, line->plot));
+  status = take_figure(line, &options);
+  if (!status && line->of_case && p.is_scene)
+    status = po_fail(PO_BAD_INPUT, "options of a scene have no effect on a case: expected them to "
+                                   "be left out");
+  if (!status && line->of_case)
+    return po_options_end(plot_case((char *)line->of_case, line->run, line->plot));
   po_solve_line_add_wants(line);
   if (!(line->request.want & PO_PLOT_WANTS))
     line->request.want |= line->scene.given.text[PO_KEY_VISCOELASTIC] ? PO_WANT_HISTORY

@@ -27,6 +27,10 @@ _pulloff() {
   local words='' action=() option
   case $COMP_CWORD:$before in
   1:*) words="$(_pulloff_names "$program") --help --version" ;;
+  *:--case)
+    words=$("$program" list 2>/dev/null | awk 'NR > 1 { print $1 }')
+    action=(-f -X '!*.yaml')
+    ;;
   *:--output | *:--run) case $verb in contact-law | profile) action=(-f) ;; *) action=(-d) ;; esac ;;
   *:--curve | *:--profile-csv | *:--profile-file | *:--staircase | *:--loop | *:--summary | *:--plot | *:--junit)
     action=(-f)
@@ -41,10 +45,11 @@ _pulloff() {
         [[ " ${COMP_WORDS[*]} " != *' --from-physical '* || $_pulloff_lengths != *" $option "* ]] || words="$words $option-m"
       done
       ;;
-    *:plan | *:plot | *:run | *:verify | *:explain | *:bless)
+    *:plan | *:run | *:verify | *:explain | *:bless)
       words=$("$program" list 2>/dev/null | awk 'NR > 1 { print $1 }')
       action=(-f -X '!*.yaml')
       ;;
+    *:plot) action=(-f) ;;
     *:conform) action=(-f -X '!*.yaml') ;;
     *:merge) action=(-d) ;;
     *:theory) words=$(_pulloff_names "$program" theory) ;;

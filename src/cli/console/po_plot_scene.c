@@ -21,14 +21,14 @@ po_status po_plot_take_file(const char *name, void *file) {
 
 /* The size of a plot in characters: that of the terminal, within limits. */
 static void find_size(size_t *columns, size_t *rows) {
-  enum { COLUMNS = 66, ROWS = 21, BESIDE = 14, BELOW = 5, LEAST = 20 };
+  enum { COLUMNS = 80, ROWS = 26, LEAST = 20 };
   struct winsize window;
   *columns = COLUMNS;
   *rows = ROWS;
   if (isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col &&
       window.ws_row) {
-    *columns = window.ws_col > LEAST + BESIDE ? window.ws_col - BESIDE : LEAST;
-    *rows = window.ws_row > LEAST + BELOW ? window.ws_row - BELOW : LEAST;
+    *columns = window.ws_col > LEAST ? window.ws_col : LEAST;
+    *rows = window.ws_row > LEAST + 1 ? window.ws_row - 1U : LEAST;
   }
 }
 
@@ -38,7 +38,7 @@ static po_status print(po_plot_picture *picture) {
   find_size(&columns, &rows);
   const po_status status = po_plot_print(picture, columns, rows, &text);
   enum { LINE = 80 }; /* that of a scene is longer, and known to whoever gave it */
-  if (!status && !picture->map && strlen(picture->caption) < LINE)
+  if (!status && strlen(picture->caption) < LINE)
     puts(picture->caption);
   if (!status)
     fputs(po_text_string(&text), stdout);

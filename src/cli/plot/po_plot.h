@@ -1,4 +1,4 @@
-/* Figures: one description of a picture, drawn by gnuplot in the style of the report, or printed as
+/* Figures: one description of a picture, drawn by gnuplot in the style of the report, or as
  * characters for a terminal; and maps. */
 #ifndef PO_PLOT_H
 #define PO_PLOT_H
@@ -15,10 +15,10 @@ enum {
 };
 
 /* How the points of a series are drawn: enumerator, name of the macro in
- * reports/figures/picture.gp, character (0: only in figures). NAN in a coordinate interrupts a
- * line. Those from PO_PLOT_HOLDS on are single points, jumps are arrows, each from a point to the
- * next one; the gap is on the second axis, curves have error bars; curves and lines of a panel
- * differ in colour. */
+ * reports/figures/picture.gp, mark of a point among characters (0: not drawn). NAN in a coordinate
+ * interrupts a line. Those from PO_PLOT_HOLDS on are single points, jumps are arrows, each from a
+ * point to the next one; the gap is on the second axis, curves have error bars; curves and lines of
+ * a panel differ in colour. */
 // clang-format off
 #define PO_PLOT_STYLES(X) \
   X(EQUILIBRIA, "equilibria", '.') X(UNSTABLE, "unstable", '.') X(STABLE, "stable", '*') X(LOADING, "loading", '+') \
@@ -124,7 +124,8 @@ po_plot_picture po_plot_of_theories(const po_request *request, const po_result *
  * PO_CANNOT_READ, PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_plot_draw(po_plot_picture *picture, const char *figures, const char *file);
 
-/* Appends a picture as plots of `columns` x `rows` characters. Status: PO_NO_MEMORY. */
+/* Appends a picture as plots of `columns` x `rows` characters by gnuplot. Status: PO_MISSING_TOOL,
+ * PO_NO_MEMORY. */
 po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, po_text *text);
 
 /* Returned: whether the name of a file ends in .svg, .png or .pdf, the formats of figures. */

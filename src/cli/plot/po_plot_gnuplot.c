@@ -1,6 +1,7 @@
 /* A picture as commands for gnuplot, and its run. The styles are macros of
  * reports/figures/picture.gp. */
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,8 +13,10 @@
 #include "po_file.h"
 #include "po_plot.h"
 
-#define MACRO(key, macro, ...) macro,
+#define MACRO(key, macro, mark) macro,
 static const char *const MACROS[] = {PO_PLOT_STYLES(MACRO)};
+#define MARK(key, macro, mark) mark,
+static const char MARKS[] = {PO_PLOT_STYLES(MARK)};
 /* More titles are beside the panel in place of above it. */
 enum { MOST_ABOVE = 8 };
 /* The height of a picture with one row of panels, and that of each of several, pixels. */
@@ -88,7 +91,14 @@ static void add_points(po_text *script, const po_plot_panel *panel, const po_plo
   }
 }
 
-/* Appends the part of the plot command of a series. */
+static void add_title(po_text *plot, const po_plot_series *s) {
+  if (*s->title)
+    add_quoted(plot, "title ", s->title, "");
+  else
+    po_text_add(plot, "notitle");
+}
+
+/* Appends the part of the plot command of a series, and as characters. */
 static void add_series(po_text *plot, const po_plot_series *s, size_t number, double shade) {
   const char *macro = MACROS[s->style];
   if (s->style == PO_PLOT_CURVE)
@@ -101,27 +111,45 @@ static void add_series(po_text *plot, const po_plot_series *s, size_t number, do
   else
     po_text_add(plot, "$series%zu using %s @%s ", number,
                 po_plot_is_jump(s->style) ? "1:2:3:4" : "1:2", macro);
-  if (*s->title)
-    add_quoted(plot, "title ", s->title, "");
-  else
-    po_text_add(plot, "notitle");
+  add_title(plot, s);
 }
 
-static void add_panel(po_text *script, po_plot_panel *panel) {
+static void add_marks(po_text *plot, const po_plot_series *s, size_t number) {
+  if (po_plot_is_jump(s->style))
+    po_text_add(plot, "$series%zu using 1:2:3:4 with vectors nohead ", number);
+  else if (s->style < PO_PLOT_HOLDS && s->count > 1)
+    po_text_add(plot, "$series%zu using 1:2 with lines ", number);
+  else
+    po_text_add(plot, "$series%zu using 1:2 with points pointtype '%c' ", number, MARKS[s->style]);
+  add_title(plot, s);
+}
+
+/* Appends the data of a panel to the script, and its plot command to `plot`; the gap has a second
+ * axis, which characters lack. Returned: the number of titles. */
+static size_t add_all_series(po_plot_panel *panel, bool characters, po_text *script,
+                             po_text *plot) {
   size_t titles = 0, drawn = 0;
-  po_text plot = {0};
   po_plot_set_ranges(panel);
   for (size_t k = 0; k < panel->count; ++k) {
     const po_plot_series *s = &panel->series[k];
-    if (!s->count)
+    if (!s->count || (characters && s->style == PO_PLOT_GAP))
       continue;
     titles += *s->title != '\0';
     po_text_add(script, "$series%zu << EOD\n", drawn);
     add_points(script, panel, s);
     po_text_add(script, "EOD\n");
-    po_text_add(&plot, drawn ? ", \\\n  " : "plot ");
-    add_series(&plot, s, drawn++, panel->count > 1 ? (double)k / (double)(panel->count - 1) : 0.0);
+    po_text_add(plot, drawn ? ", \\\n  " : "plot ");
+    if (characters)
+      add_marks(plot, s, drawn++);
+    else
+      add_series(plot, s, drawn++, panel->count > 1 ? (double)k / (double)(panel->count - 1) : 0.0);
   }
+  return titles;
+}
+
+static void add_panel(po_text *script, po_plot_panel *panel) {
+  po_text plot = {0};
+  const size_t titles = add_all_series(panel, false, script, &plot);
   add_label(script, "x", &panel->x, "offset 0,0.4");
   if (panel->y.tics.length)
     po_text_add(script, "unset ylabel\n");
@@ -280,4 +308,71 @@ po_status po_plot_draw(po_plot_picture *picture, const char *figures, const char
   po_text_clear(&script);
   po_text_clear(&figure);
   return status;
+}
+
+/* -- Characters -- */
+
+/* Of a map, from the smallest to the greatest value. */
+static const char SHADES[] = ".:-=+*#%@";
+enum { SHADE_COUNT = sizeof SHADES - 1 };
+
+static void add_panel_of_characters(po_text *script, po_plot_panel *panel) {
+  const po_plot_axis *x = &panel->x, *y = &panel->y;
+  po_text plot = {0};
+  add_all_series(panel, true, script, &plot);
+  add_range(script, 'x', x);
+  add_range(script, 'y', y);
+  po_text_add(script, "set tics autofreq\n"); /* names of values would overlap */
+  po_text_add(script, "set title '%s%s%s against %s%s%s'\n%s\n", y->words,
+              *y->in_letters ? " in " : "", y->in_letters, x->words, *x->in_letters ? " in " : "",
+              x->in_letters, po_text_string(&plot));
+  script->failed = script->failed || plot.failed;
+  po_text_clear(&plot);
+}
+
+static void add_map_of_characters(po_text *script, const po_plot_picture *picture) {
+  const po_plot_map *map = picture->map;
+  const double step = (map->high - map->low) / SHADE_COUNT;
+  add_map(map, script);
+  po_text_add(script,
+              "set title 'pull-off force in %s, %s from %.4g in steps of %.4g'\n"
+              "set xlabel '%s'; set ylabel '%s'; set tics scale 0 autofreq\n"
+              "shade(z) = z < 1 ? 1 : z > %d ? %d : int(z)\n"
+              "plot $map using 1:2:(substr('%s', shade(1 + ($7 - %.9g) / %.9g), "
+              "shade(1 + ($7 - %.9g) / %.9g))) with labels notitle\n",
+              picture->load_unit, SHADES, map->low, step, map->x_name, map->y_name, SHADE_COUNT,
+              SHADE_COUNT, SHADES, map->low, fmax(step, DBL_MIN), map->low, fmax(step, DBL_MIN));
+}
+
+/* Appends what gnuplot printed without its form feeds and the blanks at the ends of lines. */
+static void add_lines(po_text *text, const po_text *printed) {
+  const char *line = po_text_string(printed);
+  while (*line) {
+    line += strspn(line, "\f");
+    const size_t whole = strcspn(line, "\n");
+    size_t length = whole;
+    while (length && line[length - 1] == ' ')
+      --length;
+    if (length)
+      po_text_add(text, "%.*s\n", (int)length, line);
+    line += whole + (line[whole] == '\n');
+  }
+}
+
+po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, po_text *text) {
+  po_text script = {0}, printed = {0};
+  po_text_add(&script,
+              "set encoding utf8\nset terminal dumb noenhanced size %zu,%zu\nset tics nomirror\n"
+              "set key above horizontal samplen 1\n",
+              columns, rows);
+  if (picture->map)
+    add_map_of_characters(&script, picture);
+  for (size_t k = 0; k < picture->count; ++k)
+    add_panel_of_characters(&script, &picture->panel[k]);
+  po_status status = script.failed ? PO_NO_MEMORY : run(&script, &printed);
+  if (!status)
+    add_lines(text, &printed);
+  po_text_clear(&script);
+  po_text_clear(&printed);
+  return status ? status : text->failed ? PO_NO_MEMORY : PO_OK;
 }
