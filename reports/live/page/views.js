@@ -162,12 +162,14 @@ function drawBodies(svg, {answer, rows, ranges, state, approach}) {
   const both = (points) => [...points.map(({x, y}) => ({x: -x, y})).reverse(), ...points];
   const isShown = ({x}) => x <= ranges.radius[1];
   const [low, high] = rangeOf([...body.filter(isShown).map((p) => p.y), ...surface.filter(isShown).map((p) => p.y)]);
-  const x = {label: `distance from the axis (${u.lengthName})`, range: [-ranges.radius[1], ranges.radius[1]]};
   const stretch = ((high - low) / (2 * ranges.radius[1])) * ((svg.clientWidth || 600) / (svg.clientHeight || 240));
   draw(svg, {
     label: `Body and surface of the half-space ${state}`,
-    x,
-    y: {label: `height (${u.lengthName}), drawn ${withError(Number((1 / stretch).toPrecision(2)))} times too high`, range: [low, high]},
+    x: {
+      label: `distance from the axis (${u.lengthName}); heights are drawn ${withError(Number((1 / stretch).toPrecision(2)))} times as large`,
+      range: [-ranges.radius[1], ranges.radius[1]],
+    },
+    y: {label: `height (${u.lengthName})`, range: [low, high]},
     areas: [
       {points: both(body), kind: 'body', to: high},
       {points: both(surface), kind: 'half-space', to: low},
