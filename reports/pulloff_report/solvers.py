@@ -65,10 +65,6 @@ class Timed:
         self.timing = point.get("timing") or {}
 
     @property
-    def clock(self):
-        return self.timing.get("clock")
-
-    @property
     def wrong(self):
         return self.error is not None and self.error > WRONG
 

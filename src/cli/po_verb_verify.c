@@ -7,7 +7,6 @@
 #include "po_file.h"
 #include "po_identity.h"
 #include "po_memory.h"
-#include "po_record.h"
 #include "po_reference_list.h"
 #include "po_session.h"
 #include "po_text.h"
@@ -95,10 +94,6 @@ static void add_case(const po_case_run *run, po_text *text) {
                 run->coverage.points, po_one_or_more(run->coverage.points, "point", "points"),
                 run->coverage.made, run->coverage.checks,
                 po_one_or_more(run->coverage.checks, "check", "checks"));
-  const size_t clocks = po_record_disagreements(run);
-  if (clocks)
-    po_text_add(text, "; the times that it reports disagree with those of its processes at %zu %s",
-                clocks, po_one_or_more(clocks, "point", "points"));
   po_text_add(text, "\n");
 }
 

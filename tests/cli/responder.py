@@ -141,8 +141,6 @@ def spoil(mode, stream, k, found):
     if mode == "slow_failure":
         found = {"id": found["id"], "repeat": found["repeat"], "status": "failed", "reason": "made so",
                  "seconds": {"solve": 1e-3}}
-    if mode == "quick_clock" and "seconds" in found:
-        found["seconds"]["solve"] = 100.0
     write(stream, found)
     if mode == "twice" and k == 1:
         write(stream, found)

@@ -325,7 +325,7 @@ WAVY = ({"tabor": 3, "amplitude": 1, "wavelength": 20, "outer_radius": 100},
         {"tabor": 4, "amplitude": 0.4, "wavelength": 10, "outer_radius": 100})
 
 
-def timed(found, seconds, external, clock="agrees"):
+def timed(found, seconds, external):
     """Three rounds; those of an external solver with all that its processes took."""
     found["seconds_all"] = [1.5 * seconds, seconds, seconds] if seconds else [None] * 3
     found["processor_seconds_all"] = [1.1 * seconds, seconds, 0.9 * seconds] if seconds else [None] * 3
@@ -333,7 +333,7 @@ def timed(found, seconds, external, clock="agrees"):
         whole = [2 * seconds + 0.4] * 3 if seconds else [None] * 3
         found["timing"] = {"first_seconds": found["seconds_all"], "reported_seconds": whole, "process_seconds": whole,
                            "process_processor_seconds": whole, "start_seconds": [0.4] * 3,
-                           "start_processor_seconds": [0.3] * 3, "clock": clock, "interleaved": True}
+                           "start_processor_seconds": [0.3] * 3, "interleaved": True}
     return found
 
 
@@ -350,26 +350,26 @@ def save_timed(run, points, solver=None):
 
 def make_solvers(run):
     """Panels whose error is their tolerance, in 10 ms a digit; a solver of second order, which is a hundred times
-    slower and has no result for the second scene; and one that is quick and exact, whose clock is wrong."""
+    slower and has no result for the second scene; and one that is quick and exact."""
     panels = [timed(point(place, {**scene, "scheme": "panel", "tolerance": 10.0 ** -k}, (1 + 10.0 ** -k, -1)), 0.01 * k, False)
               for place, (scene, k) in enumerate((scene, k) for scene in WAVY for k in (3, 5, 7))]
     save_timed(run, panels)
 
-    def external(name, knob, value, error, seconds, fails, clock):
+    def external(name, knob, value, error, seconds, fails):
         points = []
         for place, (scene, tolerance) in enumerate((scene, k) for scene in WAVY for k in (1e-3, 1e-5, 1e-7)):
             failed = fails and scene["tabor"] == 4
             found = point(place, {**scene, "scheme": "panel", "tolerance": tolerance}, (1 + error, -1),
                           status="timed_out" if failed else "ok")
-            points.append(timed(found, None if failed else seconds, True, clock))
+            points.append(timed(found, None if failed else seconds, True))
         about = {"name": name, "manifest": "m.yaml", "knob": knob, "knob_value": value, "command": ["x"], "unstable": True,
                  "sha256": "0" * 64, "processes": [],
                  "coverage": {"points": 6, "asked": 6, "checks": 6, "made": 6, "not_reachable": 0}}
         save_timed(os.path.join(run, "solvers", name), points, about)
 
-    external("second@126", "nodes", "126", 2e-4, 5.0, True, "agrees")
-    external("second", "nodes", "251", 5e-5, 40.0, True, "agrees")
-    external("quick", None, None, 1e-9, 1e-3, False, "less")
+    external("second@126", "nodes", "126", 2e-4, 5.0, True)
+    external("second", "nodes", "251", 5e-5, 40.0, True)
+    external("quick", None, None, 1e-9, 1e-3, False)
 
 
 def fault_cell(*by, caught=True):

@@ -129,6 +129,5 @@ def build(source):
                 "figure": figure_of(rows, command(found)) if ours and rows else None,
                 "speeds": speeds, "slower": slower(speeds), "goals": [name for name, _ in GOALS],
                 "timed": [row for row in rows if row.timing],
-                "apart": [row for row in rows if row.timing and row.usable and not row.timing["interleaved"]],
-                "clocks": [row for row in rows if row.clock in ("more", "less")]}
+                "apart": [row for row in rows if row.timing and row.usable and not row.timing["interleaved"]]}
     return Section("solvers", "External solvers", "solvers.html", data, absent="" if found else ABSENT)

@@ -48,8 +48,4 @@ po_status po_record_entry(const po_case_run *run, size_t index, const char *fold
 po_status po_record_digest(const po_case_run *run, size_t index,
                            char digest[PO_RESULT_DIGEST_LENGTH]);
 
-/* Returned: the number of points at which the clock of an external solver disagrees with the times
- * of its processes. */
-size_t po_record_disagreements(const po_case_run *run);
-
 #endif

@@ -11,14 +11,6 @@
 #include "po_result_rows.h"
 #include "po_tables.h"
 
-/* A clock agrees if the time that it misses is less than this share of the measured time, plus this
- * share of the start-up time, whose variation under load is not known. */
-static const double MISSED_SHARE = 0.25, START_SHARE = 0.5;
-
-/* The time that a solver may report beyond that of its process: a share, and seconds. The process
- * is measured from before its start until after its end. */
-static const double EXCESS_SHARE = 0.01, EXCESS_SECONDS = 0.02;
-
 /* Names of the arrays in the record, and the members that they contain. All points have the first
  * two; the others are in the member `timing` of an external solver. */
 static const struct {
@@ -38,36 +30,6 @@ static double *cell(po_round *round, size_t column) {
   return (double *)(void *)((char *)round + COLUMNS[column].place);
 }
 
-/* What the times of a point say about the clock of the solver. "more": a process reported more time
- * than it took. "less": in every round it reported clearly less than it took beyond its start.
- * "none": it reports no times, or has no result. Otherwise "agrees". */
-static const char *clock_of(const po_case_run *run, size_t point) {
-  const unsigned repeats = run->plan->kase->repeats;
-  const po_round *rounds = run->points[point].rounds;
-  unsigned known = 0, less = 0;
-  /* the process of a failed solve may do more than it reports */
-  for (unsigned r = 0; !run->points[point].result.status && r < repeats; ++r) {
-    const po_round *round = &rounds[r];
-    const double taken = fmax(round->wall - round->start_wall, 0);
-    if (isnan(round->reported) || isnan(round->wall))
-      continue;
-    known += 1;
-    if (round->reported > (1 + EXCESS_SHARE) * round->wall + EXCESS_SECONDS)
-      return "more";
-    less += taken - round->reported > MISSED_SHARE * taken + START_SHARE * round->start_wall;
-  }
-  return !known ? "none" : less == known ? "less" : "agrees";
-}
-
-size_t po_record_disagreements(const po_case_run *run) {
-  size_t count = 0;
-  for (size_t i = 0; run->starts && i < run->plan->kase->point_count; ++i) {
-    const char *clock = clock_of(run, i);
-    count += run->points[i].asked && (strcmp(clock, "more") == 0 || strcmp(clock, "less") == 0);
-  }
-  return count;
-}
-
 /* Returned: times of a point in the order of the rounds, all or those in which it was solved. */
 static json_t *times(const po_case_run *run, size_t point, size_t column, bool all) {
   json_t *array = po_json_empty_array();
@@ -82,7 +44,6 @@ static json_t *timing_json(const po_case_run *run, size_t point) {
   json_t *object = po_json_empty_object();
   for (size_t c = OF_ALL; c < COLUMN_COUNT; ++c)
     po_json_set(&object, COLUMNS[c].name, times(run, point, c, true));
-  po_json_set(&object, "clock", po_json_text(clock_of(run, point)));
   po_json_set(&object, "interleaved", json_boolean(run->points[point].interleaved));
   return object;
 }
