@@ -52,7 +52,7 @@ static po_status find_who(char who[128]) {
   return PO_OK;
 }
 
-static po_status bless(const po_session *session, const char *reason) {
+static po_status bless_runs(const po_session *session, const char *reason) {
   char who[128];
   po_text report = {0};
   po_status status = find_who(who);
@@ -86,7 +86,7 @@ int po_verb_bless(int argc, char **argv) {
   if (!status)
     status = po_session_solve(session);
   if (!status)
-    status = bless(session, line.reason);
+    status = bless_runs(session, line.reason);
   const int code = po_options_end(status);
   po_session_clear(session);
   return code;

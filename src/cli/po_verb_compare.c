@@ -77,7 +77,7 @@ static po_status check_row(const po_result *result, const po_theory *only) {
 }
 
 /* Leaves only the row of a theory, if one was named. */
-static void keep(po_result *result, const po_theory *only) {
+static void keep_theory(po_result *result, const po_theory *only) {
   if (!only || !row_of(result, *only))
     return;
   result->theories[0] = *row_of(result, *only);
@@ -155,13 +155,13 @@ static po_status print(const po_solve_line *line, const po_result *result) {
   return po_print_digest(po_json_document(&line->request, result));
 }
 
-static int compare(po_solve_line *line, const po_theory *only) {
+static int compare_line(po_solve_line *line, const po_theory *only) {
   po_result result = {0};
   line->request.want |= PO_WANT_THEORIES;
   const po_status solved = po_solve_line_solve(line, &result);
   po_status status = solved ? PO_OK : check_row(&result, only);
   if (!status) {
-    keep(&result, only);
+    keep_theory(&result, only);
     status = print(line, &result);
   }
   if (!status && !solved && line->plot)
@@ -197,5 +197,5 @@ int po_verb_compare(int argc, char **argv) {
                         line.theory, PO_THEORY_NAMES);
   if (!status)
     status = po_solve_line_end(&line);
-  return status ? po_options_end(status) : compare(&line, line.theory ? &theory : NULL);
+  return status ? po_options_end(status) : compare_line(&line, line.theory ? &theory : NULL);
 }

@@ -119,7 +119,7 @@ static const po_option OPTIONS[] = {PO_TAKEN("format", law_line, format, take_fo
                                     {0}};
 
 /* Completes the request: the preload of a sphere is PO_LAW_PRELOAD, unless it is given. */
-static po_status complete(law_line *line) {
+static po_status complete_line(law_line *line) {
   po_request *r = &line->request;
   po_status status = po_texts_read(&line->scene.given, r);
   if (!status)
@@ -200,7 +200,7 @@ static void add_scene(const law_line *line, po_text *made) {
   }
 }
 
-static po_status make(const law_line *line) {
+static po_status make_law(const law_line *line) {
   po_particle_law law;
   po_particle_numbers half, twice;
   po_status status = po_particle_law_make(&line->request, line->error, &law);
@@ -238,8 +238,8 @@ int po_verb_contact_law(int argc, char **argv) {
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
-  status = complete(&line);
+  status = complete_line(&line);
   if (!status)
-    status = make(&line);
+    status = make_law(&line);
   return po_options_end(status);
 }

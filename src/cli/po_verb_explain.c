@@ -38,7 +38,7 @@ static const po_option OPTIONS[] = {PO_SESSION_CASE_OPTIONS,
                                     {0}};
 
 /* The points that --point selects. Status: PO_BAD_INPUT if it selects none. */
-static po_status choose(const po_case *kase, const char *text, bool **points) {
+static po_status choose_points(const po_case *kase, const char *text, bool **points) {
   *points = po_allocate(kase->point_count, sizeof **points);
   if (!*points)
     return PO_NO_MEMORY;
@@ -55,7 +55,8 @@ static po_status choose(const po_case *kase, const char *text, bool **points) {
   return po_options_refuse("point", text, expected);
 }
 
-static po_status print(const po_case_run *run, const po_explain_choice *choice, bool json) {
+static po_status print_explanation(const po_case_run *run, const po_explain_choice *choice,
+                                   bool json) {
   if (json)
     return po_print_document(po_explain_json(run, choice));
   po_text text = {0};
@@ -81,7 +82,7 @@ int po_verb_explain(int argc, char **argv) {
     return po_options_end(status);
   status = po_session_open_one(session, &options);
   if (!status)
-    status = choose(session->catalog.cases[0], line.point, &points);
+    status = choose_points(session->catalog.cases[0], line.point, &points);
   if (!status && line.point && session->solvers[0]) /* an external solver may take long */
     session->options.needed = points;
   if (!status)
@@ -89,7 +90,7 @@ int po_verb_explain(int argc, char **argv) {
   const po_explain_choice choice = {
       .all = line.all, .points = points, .output = po_session_output(session)};
   if (!status)
-    status = print(&session->runs[0], &choice, line.json);
+    status = print_explanation(&session->runs[0], &choice, line.json);
   int code = po_options_end(status);
   if (!status)
     code = code_of(&session->runs[0], &choice);

@@ -58,7 +58,7 @@ static const po_option OPTIONS[] = {
 /* The arguments of the module. */
 enum { MOST_ARGUMENTS = 16 };
 
-static int run(const fit_line *line, char *curve) {
+static int run_fit(const fit_line *line, char *curve) {
   char radius[PO_NUMBER_LENGTH], stiffness[PO_NUMBER_LENGTH];
   char *argv[MOST_ARGUMENTS] = {(char *)po_python(), "-m",  "pulloff.fit", curve,
                                 "--radius-m",        radius};
@@ -101,5 +101,5 @@ int po_verb_fit(int argc, char **argv) {
   else if (!*po_program_find(po_python()).text)
     status = po_fail(PO_MISSING_TOOL, "%s was not found: expected Python, which fits the curve",
                      po_python());
-  return status ? po_options_end(status) : run(&line, argv[optind]);
+  return status ? po_options_end(status) : run_fit(&line, argv[optind]);
 }

@@ -193,7 +193,7 @@ static void show_scenes(void *user, size_t seen) {
 }
 
 /* Computes the series; one of more than a second shows its progress. */
-static po_status compute(const follow_line *line, po_request *requests, po_result *results) {
+static po_status compute_series(const follow_line *line, po_request *requests, po_result *results) {
   const size_t count = line->range.count;
   follow_progress progress = {.live = po_live_begin(true), .count = count};
   po_series_progress seen = {show_scenes, &progress, 0};
@@ -210,14 +210,14 @@ static po_status compute(const follow_line *line, po_request *requests, po_resul
   return status;
 }
 
-static po_status follow(const follow_line *line, po_request *requests, po_series_scene *scenes,
-                        double *values, po_result *results) {
+static po_status follow_series(const follow_line *line, po_request *requests,
+                               po_series_scene *scenes, double *values, po_result *results) {
   po_status status = PO_OK;
   for (size_t k = 0; k < line->range.count && !status; ++k)
     status = make_request(line, k, &requests[k], &scenes[k], &values[k]);
   if (status)
     return status;
-  status = compute(line, requests, results);
+  status = compute_series(line, requests, results);
   status = po_no_memory_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
@@ -251,7 +251,7 @@ int po_verb_follow(int argc, char **argv) {
   po_series_scene *scenes = po_allocate(line.range.count, sizeof *scenes);
   double *values = po_allocate(line.range.count, sizeof *values);
   status = requests && results && scenes && values
-               ? follow(&line, requests, scenes, values, results)
+               ? follow_series(&line, requests, scenes, values, results)
                : PO_NO_MEMORY;
   for (size_t k = 0; results && k < line.range.count; ++k)
     po_result_clear(&results[k]);

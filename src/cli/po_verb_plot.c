@@ -59,7 +59,7 @@ typedef struct {
 } plot_line;
 
 /* Takes one option of the command line. */
-static po_status take(void *to, int option) {
+static po_status take_option(void *to, int option) {
   plot_line *p = to;
   const bool is_key = option < PO_OPTION_ROWS;
   p->is_scene = p->is_scene || is_key ||
@@ -142,8 +142,8 @@ static size_t index_of(const double *value, size_t count, double wanted) {
 }
 
 /* Fills the forces and their range. Returned: whether any point has a pull-off. */
-static bool fill(const po_case_run *run, const po_case *kase, const po_key keys[2],
-                 po_plot_map *map, double *force) {
+static bool fill_map(const po_case_run *run, const po_case *kase, const po_key keys[2],
+                     po_plot_map *map, double *force) {
   map->low = INFINITY;
   map->high = -INFINITY;
   for (size_t k = 0; k < map->columns * map->rows; ++k)
@@ -177,7 +177,7 @@ static po_status plot_map(const po_case_run *run, const po_case *kase, const po_
     map.value = force = po_allocate(map.columns * map.rows, sizeof *force);
     status = force ? PO_OK : PO_NO_MEMORY;
   }
-  if (!status && !fill(run, kase, keys, &map, force))
+  if (!status && !fill_map(run, kase, keys, &map, force))
     status = po_fail(PO_BAD_INPUT, "no point of the case %s has a pull-off", kase->file->name);
   if (!status) {
     po_plot_picture picture =
@@ -233,7 +233,8 @@ static int by_curve(const void *a, const void *b) {
 }
 
 /* The points of a case that have a pull-off, sorted by curve and value. Returned: their number. */
-static size_t collect(const po_case_run *run, const po_case *kase, po_key key, run_point *points) {
+static size_t collect_points(const po_case_run *run, const po_case *kase, po_key key,
+                             run_point *points) {
   size_t count = 0;
   for (size_t i = 0; i < kase->point_count; ++i) {
     const po_result *o = &run->points[i].result;
@@ -288,7 +289,7 @@ static po_status plot_run(const po_case_run *run, const po_case *kase, const cha
   run_point *points = po_allocate(kase->point_count, sizeof *points);
   if (!points)
     return PO_NO_MEMORY;
-  const size_t count = collect(run, kase, key, points);
+  const size_t count = collect_points(run, kase, key, points);
   const po_status status =
       !count ? po_fail(PO_BAD_INPUT, "no point of the case %s has a pull-off", kase->file->name)
              : draw_run(kase, key, points, count, file);
@@ -349,7 +350,7 @@ static po_status take_figure(po_solve_line *line, const po_options *options) {
 }
 
 /* Solves the scene and plots it. */
-static po_status plot(po_solve_line *line) {
+static po_status plot_scene(po_solve_line *line) {
   po_result result = {0};
   po_status status = po_solve_line_solve(line, &result);
   if (!status)
@@ -366,8 +367,8 @@ static bool seeks_all(const po_texts *given) {
 
 int po_verb_plot(int argc, char **argv) {
   const po_options options = {
-      "plot", HELP, OPTIONS, argc, argv, PO_SEVERAL, NULL, PO_FOR_SOLVE, po_solve_line_take_key,
-      take};
+      "plot",     HELP, OPTIONS, argc, argv, PO_SEVERAL, NULL, PO_FOR_SOLVE, po_solve_line_take_key,
+      take_option};
   plot_line p = {.line = po_solve_line_begin(), .options = &options};
   po_solve_line *line = &p.line;
   po_status status = PO_OK;
@@ -388,5 +389,5 @@ int po_verb_plot(int argc, char **argv) {
     line->request.want |= PO_WANT_CURVE;
   if (!status)
     status = po_solve_line_end(line);
-  return po_options_end(status ? status : plot(line));
+  return po_options_end(status ? status : plot_scene(line));
 }

@@ -257,7 +257,7 @@ static void add_panel(const po_scan *s, double less, po_plot_picture *picture) {
   }
 }
 
-static po_status draw(const profile_line *line, const po_scan *s) {
+static po_status draw_scan(const profile_line *line, const po_scan *s) {
   po_text made = {0};
   add_command(line, PO_SIDES_BOTH, &made);
   po_plot_picture picture = po_plot_begin(po_text_take(&made), &line->request);
@@ -350,7 +350,7 @@ static po_status print_force(const profile_line *line, const po_scan *scan, FILE
   return PO_OK;
 }
 
-static po_status make(const profile_line *line) {
+static po_status make_profile(const profile_line *line) {
   po_scan scan;
   po_status status = po_scan_read(&line->scan, &scan);
   FILE *const to = line->output ? stdout : stderr;
@@ -367,7 +367,7 @@ static po_status make(const profile_line *line) {
     status = write_table(line, &scan, line->sides, line->output);
   }
   if (!status && line->plot)
-    status = draw(line, &scan);
+    status = draw_scan(line, &scan);
   if (!status && has_scene(line))
     status = print_force(line, &scan, to);
   else if (!status)
@@ -392,6 +392,6 @@ int po_verb_profile(int argc, char **argv) {
   else if (has_scene(&line) && line.sides != PO_SIDES_BOTH)
     status = po_fail(PO_BAD_INPUT, "--side is %s: a force is computed of both", SIDES[line.sides]);
   if (!status)
-    status = make(&line);
+    status = make_profile(&line);
   return po_options_end(status);
 }

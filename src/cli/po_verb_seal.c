@@ -137,7 +137,7 @@ static void add_headers(const char *path, const char *const values[HEADERS],
 }
 
 /* Writes the table to a file beside it, reads that as a reference, and takes its place. */
-static po_status replace(const char *path, const po_text *text) {
+static po_status replace_file(const char *path, const po_text *text) {
   po_file_path beside;
   po_reference reference = {0};
   snprintf(beside.text, sizeof beside.text, "%s.seal-%ld", path, (long)getpid());
@@ -157,7 +157,7 @@ static po_status replace(const char *path, const po_text *text) {
  * defaults. Status: PO_BAD_INPUT if headers are missing, all of which the message names;
  * PO_CANNOT_READ (the file, or what makes it no table, with its line: also a cell that is no number
  * in a column of numbers); PO_CANNOT_WRITE; the file is then unchanged. */
-static po_status seal(const char *path, const char *const values[HEADERS]) {
+static po_status seal_table(const char *path, const char *const values[HEADERS]) {
   char digest[PO_DIGEST_LENGTH], separator = 0;
   bool had[HEADERS] = {false};
   po_text found = {0}, header = {0}, rows = {0}, text = {0};
@@ -177,7 +177,7 @@ static po_status seal(const char *path, const char *const values[HEADERS]) {
   if (!status) {
     add_headers(path, values, had, &header);
     po_csv_seal(&header, &rows, &text, digest);
-    status = replace(path, &text);
+    status = replace_file(path, &text);
   }
   po_text_clear(&found);
   po_text_clear(&header);
@@ -195,7 +195,7 @@ int po_verb_seal(int argc, char **argv) {
   if (optind == argc)
     status = po_fail(PO_BAD_INPUT, "seal needs the names of tables (see pulloff seal --help)");
   for (int i = optind; !status && i < argc; ++i) {
-    status = seal(argv[i], values);
+    status = seal_table(argv[i], values);
     if (!status)
       printf("%s is sealed\n", argv[i]);
   }

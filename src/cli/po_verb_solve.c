@@ -104,7 +104,7 @@ static po_status make_request(const po_texts *given, const void *user, po_reques
 }
 
 /* Completes the request and checks it, also those with the uncertain numbers moved. */
-static po_status complete(po_solve_line *line, po_uncertain_inputs *uncertain) {
+static po_status complete_line(po_solve_line *line, po_uncertain_inputs *uncertain) {
   po_status status = po_uncertain_read(&line->scene.given, uncertain);
   if (!status)
     status = po_solve_line_end(line);
@@ -134,7 +134,7 @@ static po_status print_result(const po_solve_line *line, const po_result *result
 
 /* Draws the figure. A result without the points of the branch is solved once more with them: what a
  * figure needs changes the steps of a trace and ends its search beyond the preload. */
-static po_status draw(const po_solve_line *line, const po_result *result) {
+static po_status draw_result(const po_solve_line *line, const po_result *result) {
   const unsigned points =
       line->request.creep.kind == PO_CREEP_NONE ? PO_WANT_CURVE : PO_WANT_HISTORY;
   if (line->request.want & points)
@@ -165,7 +165,7 @@ static po_status write_files(const po_solve_line *line, const po_result *result)
       failed = status;
   if (line->smoothed && (status = po_tables_write_smoothed(line->smoothed, &line->request)))
     failed = status;
-  if (line->plot && (status = draw(line, result)))
+  if (line->plot && (status = draw_result(line, result)))
     failed = status;
   return failed;
 }
@@ -186,7 +186,7 @@ static void evaluate_theories(const po_request *request, po_result *result) {
   po_message_clear();
 }
 
-static int solve(po_solve_line *line) {
+static int solve_line(po_solve_line *line) {
   po_result result = {0};
   const po_status solved = po_solve_line_solve(line, &result);
   if (!solved && !line->json)
@@ -210,8 +210,8 @@ int po_verb_solve(int argc, char **argv) {
   po_status status = PO_OK;
   const bool goes_on = po_options_read(&options, &line, &status);
   if (goes_on)
-    status = complete(&line, &uncertain);
-  const int code = status || !goes_on ? po_options_end(status) : solve(&line);
+    status = complete_line(&line, &uncertain);
+  const int code = status || !goes_on ? po_options_end(status) : solve_line(&line);
   po_uncertain_clear(&uncertain);
   return code;
 }

@@ -118,7 +118,7 @@ static po_status check_values(const po_theory_line *l, const po_form *form) {
 }
 
 /* Computes the scene and alpha from the options, and refuses options that are missing. */
-static po_status complete(po_theory_line *l, const po_form *form) {
+static po_status complete_line(po_theory_line *l, const po_form *form) {
   po_texts *given = &l->options.given;
   const po_scene *scene = &l->request.scene;
   const bool has_alpha = !isnan(l->alpha);
@@ -286,7 +286,7 @@ static po_form_input input_of(const po_theory_line *l, const po_form *form) {
                          .preload = preload};
 }
 
-static po_status print(const po_theory_line *l, const po_form *form) {
+static po_status print_form(const po_theory_line *l, const po_form *form) {
   const po_form_input input = input_of(l, form);
   po_form_values values = {.count = 0};
   form_curve curve = {NULL, 0};
@@ -323,8 +323,8 @@ int po_verb_theory(int argc, char **argv) {
         PO_BAD_INPUT, "theory needs the name of a closed form: expected %s", PO_FORM_NAMES));
   if (!form)
     return po_options_end(po_form_refuse(name));
-  status = complete(&line, form);
+  status = complete_line(&line, form);
   if (!status)
-    status = print(&line, form);
+    status = print_form(&line, form);
   return po_options_end(status);
 }

@@ -184,7 +184,7 @@ static void add_overview(const po_case_run *runs, size_t count, const char *outp
   po_verdicts_totals(runs, count, text);
 }
 
-static po_status print(const verify_line *line) {
+static po_status print_verdicts(const verify_line *line) {
   const po_session *session = &line->session;
   const size_t count = session->run_count;
   po_text text = {0};
@@ -258,7 +258,7 @@ int po_verb_verify(int argc, char **argv) {
   if (!status)
     status = compare_stored(&line, &lines);
   if (!status)
-    status = print(&line);
+    status = print_verdicts(&line);
   if (!status)
     differs = print_stored(&line, &lines);
   if (!status && !line.tap)

@@ -21,7 +21,8 @@ static void write_given(const po_options *options, char given[PO_QUOTE_LENGTH]) 
 
 /* Refuses an option that a table does not have, that has a value which it does not take, or that is
  * the beginning of several. */
-static void refuse(const po_options *options, const struct option *table, const char *given) {
+static void refuse_option(const po_options *options, const struct option *table,
+                          const char *given) {
   po_text names = {0}, begun = {0};
   const size_t length = strcspn(given, "=");
   const struct option *exact = NULL;
@@ -69,7 +70,7 @@ static int of_letter(const po_options *options, int letter) {
 
 /* The `val` of the next option; DONE if only operands are left; BAD, with the message of po_fail,
  * if the option is unknown or lacks its value. Operands may come before options. */
-static int next(const po_options *options, const struct option *table) {
+static int next_option(const po_options *options, const struct option *table) {
   char letters[2 * MOST_OPTIONS], given[PO_QUOTE_LENGTH];
   opterr = 0;
   make_letters(options, letters);
@@ -82,7 +83,7 @@ static int next(const po_options *options, const struct option *table) {
     return BAD;
   case '?':
     write_given(options, given);
-    refuse(options, table, given);
+    refuse_option(options, table, given);
     return BAD;
   case 'h':
     return PO_OPTION_HELP;
@@ -248,7 +249,7 @@ bool po_options_read(const po_options *options, void *line, po_status *status) {
   make_table(options, table);
   *status = PO_OK;
   po_options_begin_messages(options->keys);
-  while (!*status && (option = next(options, table)) != DONE) {
+  while (!*status && (option = next_option(options, table)) != DONE) {
     if (option == PO_OPTION_HELP) {
       *status = print_help(options);
       return false;

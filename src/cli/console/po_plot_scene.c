@@ -32,7 +32,7 @@ static void find_size(size_t *columns, size_t *rows) {
   }
 }
 
-static po_status print(po_plot_picture *picture) {
+static po_status print_picture(po_plot_picture *picture) {
   size_t columns, rows;
   po_text text = {0};
   find_size(&columns, &rows);
@@ -50,7 +50,7 @@ po_status po_plot_show(po_plot_picture picture, const char *file) {
   const po_file_path folder = po_path_join(po_environment_data(), "reports/figures");
   const po_status status = picture.status ? picture.status
                            : file         ? po_plot_draw(&picture, folder.text, file)
-                                          : print(&picture);
+                                          : print_picture(&picture);
   po_plot_clear(&picture);
   return status;
 }

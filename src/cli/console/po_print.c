@@ -302,7 +302,7 @@ enum { KNOWN_COUNT = sizeof KNOWN / sizeof *KNOWN, MOST_NAMED = 3 };
 static const double SAME = 1e-6;
 
 /* Inserts a row by its deviation, unless one with the same force is there. */
-static void insert(const po_theory_row *row, const po_theory_row *sorted[], size_t *count) {
+static void insert_theory(const po_theory_row *row, const po_theory_row *sorted[], size_t *count) {
   size_t at = *count;
   for (size_t k = 0; k < *count; ++k)
     if (fabs(sorted[k]->force - row->force) <= SAME * row->force)
@@ -319,7 +319,7 @@ static void print_theories(const po_result *result) {
   size_t count = 0;
   for (size_t k = 0; k < KNOWN_COUNT && result->theory_count == PO_THEORY_OF_RATE; ++k)
     if (isfinite(result->theories[KNOWN[k]].deviation))
-      insert(&result->theories[KNOWN[k]], sorted, &count);
+      insert_theory(&result->theories[KNOWN[k]], sorted, &count);
   for (size_t k = 0; k < count && k < MOST_NAMED; ++k)
     printf("%s%s %+.1f %%", k ? ", " : "theories ", PO_THEORIES[sorted[k]->theory].words,
            100.0 * sorted[k]->deviation);

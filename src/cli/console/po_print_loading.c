@@ -41,7 +41,7 @@ static units units_of(const po_request *request, const greatest *g) {
   return u;
 }
 
-static void take(greatest *g, const po_path_state *state) {
+static void take_greatest(greatest *g, const po_path_state *state) {
   po_si_take(&g->length, state->approach);
   po_si_take(&g->load, state->load);
 }
@@ -54,10 +54,10 @@ static greatest greatest_of_staircase(const po_staircase *s) {
   greatest g = greatest_of_control(s->control);
   for (size_t k = 0; k < s->count; ++k) {
     const po_step *step = &s->step[k];
-    take(&g, &step->preload);
-    take(&g, &step->pull_off);
+    take_greatest(&g, &step->preload);
+    take_greatest(&g, &step->pull_off);
     if (!step->open)
-      take(&g, &step->until);
+      take_greatest(&g, &step->until);
     po_si_take(&g.energy, step->cycle[0].loss.energy);
   }
   return g;
@@ -65,12 +65,12 @@ static greatest greatest_of_staircase(const po_staircase *s) {
 
 static greatest greatest_of_loop(const po_loop *loop) {
   greatest g = greatest_of_control(loop->control);
-  take(&g, &loop->preload);
-  take(&g, &loop->pull_off);
+  take_greatest(&g, &loop->preload);
+  take_greatest(&g, &loop->pull_off);
   po_si_take(&g.energy, loop->energy_lost);
   for (size_t k = 0; k < loop->jump_count; ++k) {
-    take(&g, &loop->jumps[k].before);
-    take(&g, &loop->jumps[k].after);
+    take_greatest(&g, &loop->jumps[k].before);
+    take_greatest(&g, &loop->jumps[k].after);
     po_si_take(&g.energy, loop->jumps[k].energy_lost);
   }
   return g;

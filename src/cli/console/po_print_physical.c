@@ -100,7 +100,7 @@ typedef struct {
   po_si_unit approach, load, radius;
 } units_of_point;
 
-static void take(greatest *g, double approach, double load, double radius) {
+static void take_greatest(greatest *g, double approach, double load, double radius) {
   po_si_take(&g->approach, approach);
   po_si_take(&g->load, load);
   po_si_take(&g->radius, radius);
@@ -124,7 +124,7 @@ static void print_table(const po_units *units, const po_result *o) {
   greatest g = {0};
   for (size_t i = 0; i < o->fold_count + o->extremum_count; ++i) {
     const po_special_point *p = i < o->fold_count ? &o->folds[i] : &o->extrema[i - o->fold_count];
-    take(&g, p->approach, p->load, p->contact_radius);
+    take_greatest(&g, p->approach, p->load, p->contact_radius);
   }
   const units_of_point u = units_for(units, &g);
   printf("%-9s %13s/%s %13s/%s %14s/%s\n", "point", "approach", u.approach.text, "load",
@@ -159,8 +159,8 @@ static void print_preload(const po_units *units, const po_result *o) {
   if (!o->has_pull_off || o->status || isnan(from->approach))
     return;
   greatest g = {0};
-  take(&g, from->approach, from->load, 0);
-  take(&g, until->approach, until->load, 0);
+  take_greatest(&g, from->approach, from->load, 0);
+  take_greatest(&g, until->approach, until->load, 0);
   const units_of_point u = units_for(units, &g);
   const po_si_unit *length = &u.approach, *force = &u.load;
   printf("preload  loading to approach %.6g %s, load %.6g %s,", from->approach * length->factor,
@@ -228,7 +228,7 @@ void po_print_uncertain(const po_result *result, double unit, const char *name) 
 
 void po_print_physical(const po_texts *given, const po_request *request, const po_result *o) {
   greatest g = {0};
-  take(&g, o->pull_off.approach, o->pull_off.force, o->pull_off.contact_radius);
+  take_greatest(&g, o->pull_off.approach, o->pull_off.force, o->pull_off.contact_radius);
   const units_of_point u = units_for(&request->units, &g);
   po_print_physical_input(given);
   if (o->has_pull_off)

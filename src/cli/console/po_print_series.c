@@ -26,8 +26,8 @@ typedef struct {
   po_si_unit approach, load, radius;
 } printed;
 
-static void take(double greatest[3], const po_units *unit, double approach, double load,
-                 double radius) {
+static void take_greatest(double greatest[3], const po_units *unit, double approach, double load,
+                          double radius) {
   po_si_take(&greatest[0], approach * unit->length);
   po_si_take(&greatest[1], load * unit->force);
   po_si_take(&greatest[2], radius * unit->length);
@@ -42,11 +42,11 @@ static printed units_of(const po_printed_series *series, bool folds) {
     const po_result *result = &series->results[k];
     const po_units unit = shown_units(&series->requests[k]);
     if (!folds && result->has_pull_off)
-      take(greatest, &unit, result->pull_off.approach, result->pull_off.force,
-           result->pull_off.contact_radius);
+      take_greatest(greatest, &unit, result->pull_off.approach, result->pull_off.force,
+                    result->pull_off.contact_radius);
     for (size_t i = 0; folds && i < result->fold_count; ++i)
-      take(greatest, &unit, result->folds[i].approach, result->folds[i].load,
-           result->folds[i].contact_radius);
+      take_greatest(greatest, &unit, result->folds[i].approach, result->folds[i].load,
+                    result->folds[i].contact_radius);
   }
   return (printed){po_si_readable(first, PO_DIMENSION_LENGTH, greatest[0] / first->length),
                    po_si_readable(first, PO_DIMENSION_LOAD, greatest[1] / first->force),

@@ -209,7 +209,7 @@ static po_status check_points(const po_session *session) {
 }
 
 /* Marks the points that --points or --shard selects. Each solver has the same shards. */
-static po_status ask(po_session *session) {
+static po_status ask_runs(po_session *session) {
   const size_t count = session->catalog.count;
   po_status status = PO_OK;
   for (size_t r = 0; session->range_count && r < session->run_count; ++r)
@@ -234,7 +234,7 @@ po_status po_session_open(po_session *session, char *const *names, size_t count)
   if (!status)
     status = plan_all(session);
   if (!status)
-    status = ask(session);
+    status = ask_runs(session);
   return status;
 }
 

@@ -223,7 +223,7 @@ bool po_plot_is_figure(const char *file) {
 }
 
 /* Starts gnuplot, which reads one file and writes the other. Returned: its process; -1: errno. */
-static pid_t start(int script, int figure) {
+static pid_t start_gnuplot(int script, int figure) {
   const pid_t child = fork();
   if (child)
     return child;
@@ -236,7 +236,7 @@ static pid_t start(int script, int figure) {
 }
 
 /* Runs gnuplot: its standard input and its standard output are files in memory. */
-static po_status run(const po_text *script, po_text *figure) {
+static po_status run_gnuplot(const po_text *script, po_text *figure) {
   const int from = memfd_create("script", MFD_CLOEXEC), to = memfd_create("figure", MFD_CLOEXEC);
   pid_t child = -1;
   int ending = 0;
@@ -245,7 +245,7 @@ static po_status run(const po_text *script, po_text *figure) {
   for (size_t put = 0; put < script->length && got >= 0; put += (size_t)got)
     got = pwrite(from, script->data + put, script->length - put, (off_t)put);
   if (got >= 0 && to >= 0)
-    child = start(from, to);
+    child = start_gnuplot(from, to);
   if (child < 0)
     po_fail(PO_MISSING_TOOL, "gnuplot cannot be started: %s", strerror(errno));
   while (child > 0 && waitpid(child, &ending, 0) < 0 && errno == EINTR)
@@ -302,7 +302,7 @@ po_status po_plot_draw(po_plot_picture *picture, const char *figures, const char
   if (!status && script.failed)
     status = PO_NO_MEMORY;
   if (!status)
-    status = run(&script, &figure);
+    status = run_gnuplot(&script, &figure);
   if (!status)
     status = po_file_write(file, figure.data, figure.length);
   po_text_clear(&script);
@@ -369,7 +369,7 @@ po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, p
     add_map_of_characters(&script, picture);
   for (size_t k = 0; k < picture->count; ++k)
     add_panel_of_characters(&script, &picture->panel[k]);
-  po_status status = script.failed ? PO_NO_MEMORY : run(&script, &printed);
+  po_status status = script.failed ? PO_NO_MEMORY : run_gnuplot(&script, &printed);
   if (!status)
     add_lines(text, &printed);
   po_text_clear(&script);

@@ -29,7 +29,7 @@ static double over(const branch *b, double approach, double load) {
   return po_held(b->control, approach, load);
 }
 
-static void add(const branch *b, po_plot_series *to, double approach, double load) {
+static void add_state(const branch *b, po_plot_series *to, double approach, double load) {
   po_plot_add_point(b->picture, to, (po_plot_point){over(b, approach, load), load, 0.0});
 }
 
@@ -42,7 +42,8 @@ static void add_between(const branch *b, po_plot_series *to, double one, double 
     const double begin = fmax(0.0, from - p->position), end = fmin(h, until - p->position);
     for (int k = 0; end > begin && k <= POINTS_PER_INTERVAL; ++k) {
       const double x = begin + (end - begin) * k / POINTS_PER_INTERVAL;
-      add(b, to,
+      add_state(
+          b, to,
           po_hermite_value(p->approach, p->approach_rate, q->approach, q->approach_rate, x, h),
           po_hermite_value(p->load, p->load_rate, q->load, q->load_rate, x, h));
     }
@@ -80,8 +81,8 @@ static void add_jumps(const branch *b, const po_loop *loop, bool loading, po_plo
     const po_jump *jump = &loop->jumps[k];
     if (jump->loading != loading)
       continue;
-    add(b, to, jump->before.approach, jump->before.load);
-    add(b, to, jump->after.approach, jump->after.load);
+    add_state(b, to, jump->before.approach, jump->before.load);
+    add_state(b, to, jump->after.approach, jump->after.load);
   }
 }
 
@@ -122,10 +123,10 @@ static void add_loads(const branch *b, const po_result *o, const po_loop *loop) 
     add_parts(b, true, po_plot_add_series(picture, panel, PO_PLOT_STABLE, "stable"));
     s = po_plot_add_series(picture, panel, PO_PLOT_FOLD, "fold");
     for (size_t i = 0; i < o->fold_count; ++i)
-      add(b, s, o->folds[i].approach, o->folds[i].load);
+      add_state(b, s, o->folds[i].approach, o->folds[i].load);
     s = po_plot_add_series(picture, panel, PO_PLOT_PULL_OFF, "pull-off");
     if (o->has_pull_off)
-      add(b, s, o->pull_off.approach, -o->pull_off.force);
+      add_state(b, s, o->pull_off.approach, -o->pull_off.force);
     return;
   }
   add_between(b, po_plot_add_series(picture, panel, PO_PLOT_EQUILIBRIA, "equilibria"), -INFINITY,
@@ -142,7 +143,7 @@ static void add_loads(const branch *b, const po_result *o, const po_loop *loop) 
                                  loading ? "" : "jump"));
   s = po_plot_add_series(picture, panel, PO_PLOT_PULL_OFF, "pull-off");
   if (loop->pull_off.load < 0.0)
-    add(b, s, loop->pull_off.approach, loop->pull_off.load);
+    add_state(b, s, loop->pull_off.approach, loop->pull_off.load);
 }
 
 static void add_profile(po_plot_picture *picture, const po_result *o) {

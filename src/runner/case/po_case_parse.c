@@ -288,7 +288,7 @@ static po_status parse_series(po_case *kase, const po_yaml *yaml) {
 
 /* Checks every value of kase->file and fills want, repeats, checks and points. Status:
  * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
-static po_status parse(po_case *kase, const po_yaml *yaml) {
+static po_status parse_file(po_case *kase, const po_yaml *yaml) {
   static po_status (*const STEPS[])(po_case *, const po_yaml *) = {
       parse_names,         parse_repeats,  po_case_files_resolve, po_case_sweep_parse,
       po_case_scene_parse, parse_checks,   po_case_lines_parse,   parse_series,
@@ -314,7 +314,7 @@ po_status po_case_read(const char *path, const char *shown, po_case **result) {
     status =
         po_fields_read(shown, kase->source, kase->source_size, PO_CASE_FIELDS, kase->file, &yaml);
   if (!status)
-    status = parse(kase, yaml);
+    status = parse_file(kase, yaml);
   po_yaml_destroy(yaml);
   if (status)
     po_case_destroy(kase);

@@ -31,7 +31,8 @@ static po_status find_keys(const po_csv *csv, int *keys) {
   return PO_OK;
 }
 
-static po_status fill(const po_case *kase, const po_csv *csv, const int *keys, po_sweep *sweep) {
+static po_status fill_sweep(const po_case *kase, const po_csv *csv, const int *keys,
+                            po_sweep *sweep) {
   sweep->together = po_allocate(csv->row_count, sizeof *sweep->together);
   if (!sweep->together)
     return PO_NO_MEMORY;
@@ -66,7 +67,7 @@ po_status po_case_table_read(const po_case *kase, po_sweep *sweep, const char *w
   if (!status)
     status = find_keys(&csv, keys);
   if (!status)
-    status = fill(kase, &csv, keys, sweep);
+    status = fill_sweep(kase, &csv, keys, sweep);
   free(keys);
   po_csv_clear(&csv);
   return status;

@@ -14,7 +14,7 @@
 static const char ENDING[] = ".yaml";
 
 /* Returned: where the case with a name is in a catalog; NULL: it has none. */
-static po_case **find(const po_catalog *catalog, const char *name) {
+static po_case **find_case(const po_catalog *catalog, const char *name) {
   for (size_t i = 0; i < catalog->count; ++i)
     if (strcmp(catalog->cases[i]->file->name, name) == 0)
       return &catalog->cases[i];
@@ -23,10 +23,10 @@ static po_case **find(const po_catalog *catalog, const char *name) {
 
 /* Adds a case and takes ownership of it. Records and pins are stored under the name, so no other
  * case of this catalog, or of `other` (may be NULL), may have it. */
-static po_status add(po_catalog *catalog, const po_catalog *other, po_case *kase) {
-  po_case **twin = find(catalog, kase->file->name), **cases = NULL;
+static po_status add_case(po_catalog *catalog, const po_catalog *other, po_case *kase) {
+  po_case **twin = find_case(catalog, kase->file->name), **cases = NULL;
   if (!twin && other)
-    twin = find(other, kase->file->name);
+    twin = find_case(other, kase->file->name);
   po_status status = PO_NO_MEMORY;
   if (twin)
     status = po_fail(PO_BAD_INPUT, "%s: name is %s: expected another name, as %s has this one",
@@ -47,7 +47,7 @@ static po_status read_built_in(const char *folder, const char *name, po_catalog 
   po_case *kase = NULL;
   const po_file_path path = po_path_join(folder, name), shown = po_path_join("cases", name);
   const po_status status = po_case_read(path.text, shown.text, &kase);
-  return status ? status : add(catalog, NULL, kase);
+  return status ? status : add_case(catalog, NULL, kase);
 }
 
 /* Reads all cases of the folder. If `strict` is false, files that cannot be read are skipped. */
@@ -95,12 +95,12 @@ static po_status read_given(const char *folder, const po_catalog *all, const cha
   if (status)
     return status;
   const bool built_in = is_in_folder(folder, path);
-  po_case **twin = find(catalog, kase->file->name);
+  po_case **twin = find_case(catalog, kase->file->name);
   const bool again = twin && po_path_is_same((*twin)->path, path); /* requested twice */
   if (!built_in)
     status = case_set_own(kase);
   if (!status && !again)
-    return add(catalog, built_in ? NULL : all, kase);
+    return add_case(catalog, built_in ? NULL : all, kase);
   po_case_destroy(kase);
   return status;
 }
@@ -127,16 +127,16 @@ static po_status refuse_name(const po_catalog *all, const char *name) {
 }
 
 /* Moves the case with a name from one catalog to another. */
-static po_status move(po_catalog *from, const char *name, po_catalog *to) {
-  if (find(to, name))
+static po_status move_case(po_catalog *from, const char *name, po_catalog *to) {
+  if (find_case(to, name))
     return PO_OK; /* requested twice */
-  po_case **place = find(from, name);
+  po_case **place = find_case(from, name);
   if (!place)
     return refuse_name(from, name);
   po_case *kase = *place;
   from->count -= 1;
   memmove(place, place + 1, (size_t)(from->cases + from->count - place) * sizeof *place);
-  return add(to, NULL, kase);
+  return add_case(to, NULL, kase);
 }
 
 /* The suites that run only when they are named, because they take long. */
@@ -203,7 +203,7 @@ static po_status take_suites(po_catalog *all, po_suites suites, po_catalog *cata
   po_status status = check_suites(all, suites.names);
   for (size_t i = 0; !status && i < all->count;) {
     if (is_of_suites(all->cases[i], suites))
-      status = move(all, all->cases[i]->file->name, catalog);
+      status = move_case(all, all->cases[i]->file->name, catalog);
     else
       ++i;
   }
@@ -223,7 +223,7 @@ po_status po_catalog_open(const char *data_folder, char *const *names, size_t na
     status = take_suites(&all, suites, catalog);
   for (size_t i = 0; !status && i < name_count; ++i)
     status = is_path(names[i]) ? read_given(folder.text, &all, names[i], catalog)
-                               : move(&all, names[i], catalog);
+                               : move_case(&all, names[i], catalog);
   po_catalog_close(&all);
   if (status)
     po_catalog_close(catalog);

@@ -77,7 +77,7 @@ static void name_subject(po_check_result *item, const char *suffix) {
            special ? (int)length : 0, suffix);
 }
 
-static po_verdict judge(const po_check_result *check_result) {
+static po_verdict judge_number(const po_check_result *check_result) {
   if (isnan(check_result->expected))
     return PO_MISSING_REFERENCE;
   if (isnan(check_result->obtained))
@@ -112,7 +112,7 @@ po_check_result *po_compare_add(const po_compare_input *c, const char *name, con
   snprintf(item->quantity, sizeof item->quantity, "%s", name);
   name_subject(item, suffix);
   item->ratio = item->error == 0 ? 0 : fabs(item->error) / item->allowance;
-  item->verdict = judge(item);
+  item->verdict = judge_number(item);
   check_results->count += 1;
   return item;
 }

@@ -225,8 +225,8 @@ po_status po_compare_steps(const po_compare_input *c) {
 }
 
 /* A tolerance in other units than the uncertainty is stated with what it allows. */
-static po_status refuse(const po_case *kase, const po_check *check, unsigned number,
-                        const po_reference *reference, po_reference_number expected) {
+static po_status refuse_tolerance(const po_case *kase, const po_check *check, unsigned number,
+                                  const po_reference *reference, po_reference_number expected) {
   char text[PO_NUMBER_LENGTH], allows[64] = "", value[PO_NUMBER_LENGTH], of_value[64] = "";
   po_number_print(expected.uncertainty, text);
   po_number_print(expected.value, value);
@@ -263,7 +263,8 @@ static po_status check_points(const po_case *kase, const po_check *check, unsign
     const po_reference_number approach = {points[i].approach, points[i].approach_error},
                               load = {points[i].load, points[i].load_error};
     if (too_tight(check, approach) || too_tight(check, load))
-      status = refuse(kase, check, number, reference, too_tight(check, approach) ? approach : load);
+      status = refuse_tolerance(kase, check, number, reference,
+                                too_tight(check, approach) ? approach : load);
   }
   free(points);
   return status;
@@ -287,7 +288,7 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
                    ? tightest_number(check, reference, request, &expected)
                    : po_reference_find(reference, check->quantity, request, &expected);
       if (!status && too_tight(check, expected))
-        status = refuse(kase, check, number, reference, expected);
+        status = refuse_tolerance(kase, check, number, reference, expected);
     }
     if (status && status != PO_NOT_FOUND)
       return status;

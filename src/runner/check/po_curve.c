@@ -117,8 +117,8 @@ static double excess(po_plane_point point, const po_stretch *stretch) {
 /* Finds the largest distance of the compared points of `a` from `b`; from the corresponding stretch
  * if the numbers of folds agree. If such a point is within the tolerance of another stretch, the
  * note reports a different branch. */
-static void measure(const po_track *a, const po_track *b, double tolerance,
-                    po_curve_verdict *verdict) {
+static void measure_distance(const po_track *a, const po_track *b, double tolerance,
+                             po_curve_verdict *verdict) {
   for (size_t i = a->first; i <= a->last; ++i) {
     const po_plane_point point = po_plane_at(&a->curve, i);
     const po_stretch stretch = verdict->same_folds ? track_stretch(b, a, track_stretch_of(a, i))
@@ -211,8 +211,8 @@ po_status po_curve_compare(const po_plane_curve *ours, const po_plane_curve *ref
   verdict->same_folds = a.fold_count == b.fold_count;
   if (!verdict->same_folds)
     name_fold(&a, &b, verdict);
-  measure(&b, &a, tolerance, verdict);
-  measure(&a, &b, tolerance, verdict);
+  measure_distance(&b, &a, tolerance, verdict);
+  measure_distance(&a, &b, tolerance, verdict);
 done:
   free(a.folds);
   free(b.folds);

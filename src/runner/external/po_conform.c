@@ -110,7 +110,7 @@ static void pull_off_of(const po_result *o, double obtained[NUMBERS]) {
 }
 
 /* Keeps an answer. */
-static po_status take(void *context, size_t question, po_answer *answer, bool final) {
+static po_status take_answer(void *context, size_t question, po_answer *answer, bool final) {
   conforming *c = context;
   conform_scene *scene = &c->scenes[question];
   scene->answers += answer->result.status == PO_OK;
@@ -133,8 +133,8 @@ static void forget_answers(conforming *c) {
   }
 }
 
-static po_status ask(conforming *c, size_t count, unsigned repeats,
-                     const volatile sig_atomic_t *stop, po_answer_taker *taker) {
+static po_status ask_scenes(conforming *c, size_t count, unsigned repeats,
+                            const volatile sig_atomic_t *stop, po_answer_taker *taker) {
   po_question questions[PO_MOST_KNOWN];
   forget_answers(c);
   for (size_t i = 0; i < count; ++i) {
@@ -145,7 +145,7 @@ static po_status ask(conforming *c, size_t count, unsigned repeats,
 }
 
 static po_status test_empty(conforming *c) {
-  const po_status status = ask(c, 0, 1, c->stop, take);
+  const po_status status = ask_scenes(c, 0, 1, c->stop, take_answer);
   if (!status) {
     const po_ask_process *p = &c->log.processes[0];
     const bool ok = !*c->log.folder.text;
@@ -222,7 +222,7 @@ static void compare_scenes(conforming *c) {
 }
 
 static po_status test_scenes(conforming *c) {
-  const po_status status = ask(c, c->count, 1, c->stop, take);
+  const po_status status = ask_scenes(c, c->count, 1, c->stop, take_answer);
   bool left = false;
   for (size_t i = 0; i < c->log.count; ++i)
     left = left || c->log.processes[i].left;
@@ -250,7 +250,7 @@ static po_status test_scenes(conforming *c) {
 }
 
 static po_status test_repeats(conforming *c) {
-  const po_status status = ask(c, 1, 2, c->stop, take);
+  const po_status status = ask_scenes(c, 1, 2, c->stop, take_answer);
   const conform_scene *s = &c->scenes[0];
   if (!status)
     tell(c, s->answers == 2 ? "ok" : "wrong", "repeats: %u answers to a request of 2 repeats%s%s",
@@ -280,7 +280,7 @@ static po_status test_unsupported(conforming *c) {
   conform_scene kept = c->scenes[0];
   if (!find_beyond(c, &c->scenes[0].question.request, why))
     return PO_OK;
-  const po_status status = ask(c, 1, 1, c->stop, take);
+  const po_status status = ask_scenes(c, 1, 1, c->stop, take_answer);
   const po_result *o = &c->scenes[0].answer.result;
   if (!status && o->status == PO_UNSUPPORTED)
     tell(c, "ok", "a scene outside the manifest (%s): unsupported: %s", why, o->reason);
@@ -310,7 +310,7 @@ static po_status test_stop(conforming *c) {
     return PO_OK;
   c->enough = 0;
   c->taken = 0;
-  po_status status = ask(c, c->count, 1, &c->enough, take_and_stop);
+  po_status status = ask_scenes(c, c->count, 1, &c->enough, take_and_stop);
   const double seconds = po_clock_wall() - c->at;
   if (status == PO_INTERRUPTED && !(c->stop && *c->stop))
     status = PO_OK;

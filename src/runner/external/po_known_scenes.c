@@ -152,7 +152,7 @@ static void choose_of(choice *c, const value_list *rigid, const value_list *soft
 
 /* The most rigid scene, the softest one up to a Tabor parameter of 3, and one between them: of
  * values that many manifests accept, else of those of the manifest itself. */
-static void choose(choice *c) {
+static void choose_scenes(choice *c) {
   static const value_list RIGID = {{0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.25, 1.5, 2, 2.5,
                                     3, 3.5, 4, 5, 10},
                                    18},
@@ -174,7 +174,7 @@ po_status po_known_scenes_choose(const po_solver *solver, const char *data_folde
   if (!status)
     status = po_reference_open(data_folder, RIGID_SPHERE, &c.bradley);
   if (!status)
-    choose(&c);
+    choose_scenes(&c);
   po_reference_close(&c.table);
   po_reference_close(&c.bradley);
   return status;

@@ -142,8 +142,8 @@ static int make_pipe(int ends[2]) {
 
 /* Becomes the program in a new process, or says in its output why not. Calls only functions that
  * are safe after a fork of a program with threads. */
-static _Noreturn void run(char *const *command, char *const *environment, const char *folder,
-                          pid_t parent, int output) {
+static _Noreturn void run_command(char *const *command, char *const *environment,
+                                  const char *folder, pid_t parent, int output) {
   const bool set = set_files(output);
   const int error = set ? become(command, environment, folder, parent) : errno;
   const char *const words[] = {"it cannot be started: ", strerrordesc_np(error)};
@@ -153,8 +153,8 @@ static _Noreturn void run(char *const *command, char *const *environment, const 
 }
 
 /* Starts the program. */
-static po_status start(char *const *command, char *const *environment, const char *folder,
-                       po_process *process) {
+static po_status start_command(char *const *command, char *const *environment, const char *folder,
+                               po_process *process) {
   int output[2] = {-1, -1}, error = make_pipe(output);
   const pid_t parent = getpid();
   sigset_t all, before;
@@ -164,7 +164,7 @@ static po_status start(char *const *command, char *const *environment, const cha
   /* not fork: its handlers would stop the threads of the linear algebra library */
   process->pid = error ? -1 : _Fork();
   if (process->pid == 0)
-    run(command, environment, folder, parent, output[1]);
+    run_command(command, environment, folder, parent, output[1]);
   pthread_sigmask(SIG_SETMASK, &before, NULL);
   close_end(&output[1]);
   process->output = output[0];
@@ -195,7 +195,7 @@ po_status po_process_start(const po_solver *solver, const po_ask_folder *folder,
   if (!status && access(command[0], X_OK) != 0)
     status = po_fail(PO_CANNOT_READ, "%s cannot be executed: %s", command[0], strerror(errno));
   if (!status)
-    status = start(command, environment, folder->path.text, process);
+    status = start_command(command, environment, folder->path.text, process);
   free_words(command);
   free_words(environment);
   return status;

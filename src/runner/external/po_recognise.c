@@ -73,8 +73,8 @@ static bool explains(const po_pair *pairs, size_t count, const factor *f, bool i
   return true;
 }
 
-static void describe(const factor *f, bool inverse, bool negative, bool differs,
-                     char name[PO_FACTOR_LENGTH]) {
+static void describe_factor(const factor *f, bool inverse, bool negative, bool differs,
+                            char name[PO_FACTOR_LENGTH]) {
   const char *what = inverse ? f->inverse : f->name;
   if (f == FACTORS)
     snprintf(name, PO_FACTOR_LENGTH, "%s", negative ? "-1 (a wrong sign)" : "1");
@@ -94,7 +94,7 @@ bool po_recognise_factor(const po_pair *pairs, size_t count, double tolerance,
           if (!explains(pairs, count, &FACTORS[k], inverse, negative, tolerance, &differs) ||
               (FACTORS[k].of && differs == (same != 0)) || (!FACTORS[k].of && same))
             continue;
-          describe(&FACTORS[k], inverse, negative, differs, name);
+          describe_factor(&FACTORS[k], inverse, negative, differs, name);
           return true;
         }
   return false;

@@ -149,7 +149,7 @@ static po_status choose_knob(po_solver *solver, const char *wanted) {
   return solver->name ? PO_OK : PO_NO_MEMORY;
 }
 
-static po_status parse(const po_yaml *yaml, const char *knob, po_solver *solver) {
+static po_status parse_manifest(const po_yaml *yaml, const char *knob, po_solver *solver) {
   const po_solver_file *file = solver->file;
   po_status status = PO_OK;
   if (strcmp(file->protocol, PO_SOLVER_PROTOCOL) != 0)
@@ -265,7 +265,7 @@ po_status po_solver_read(const char *path, const char *knob, po_solver **result)
   if (!status)
     status = po_fields_read(path, bytes, size, MANIFEST, solver->file, &yaml);
   if (!status)
-    status = parse(yaml, knob, solver);
+    status = parse_manifest(yaml, knob, solver);
   if (!status)
     status = make_command(yaml, solver);
   if (!status)

@@ -95,7 +95,7 @@ static po_status take_line(po_taking *t, const char *line, size_t length) {
 /* A response, and the longest line in it, of more bytes end the process. */
 static const size_t MOST_BYTES = (size_t)256 << 20, LONGEST_LINE = (size_t)32 << 20;
 
-static bool refuse(po_response *response, const char *why) {
+static bool refuse_line(po_response *response, const char *why) {
   if (!response->wrong[0])
     snprintf(response->wrong, sizeof response->wrong, "%s", why);
   return false;
@@ -106,11 +106,11 @@ static bool open_file(po_response *response) {
   response->file = open(response->path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (response->file < 0)
     return errno == ENOENT ||
-           refuse(response, "the response cannot be opened, or is a symbolic link");
+           refuse_line(response, "the response cannot be opened, or is a symbolic link");
   if (fstat(response->file, &found) != 0 || !S_ISREG(found.st_mode)) {
     close(response->file);
     response->file = -1;
-    return refuse(response, "the response is not a regular file");
+    return refuse_line(response, "the response is not a regular file");
   }
   return true;
 }
@@ -135,7 +135,7 @@ static bool read_more(po_response *response) {
   if (response->file < 0)
     return true;
   if (fstat(response->file, &found) == 0 && found.st_size < (off_t)response->read)
-    return refuse(response, "the response became shorter: expected that lines are only added");
+    return refuse_line(response, "the response became shorter: expected that lines are only added");
   drop_taken(response);
   for (;;) {
     const ssize_t got = pread(response->file, bytes, sizeof bytes, (off_t)response->read);
@@ -146,11 +146,11 @@ static bool read_more(po_response *response) {
     response->read += (size_t)got;
     po_text_add_bytes(&response->pending, bytes, (size_t)got);
     if (response->read > MOST_BYTES)
-      return refuse(response, "the response has more than 256 MB");
+      return refuse_line(response, "the response has more than 256 MB");
     if (memchr(bytes, '\n', (size_t)got))
       return !response->pending.failed; /* first take these lines */
     if (response->pending.length > LONGEST_LINE)
-      return refuse(response, "a line of the response has more than 32 MB");
+      return refuse_line(response, "a line of the response has more than 32 MB");
   }
 }
 

@@ -10,7 +10,7 @@
 static const char FOLDER[] = "reference", INDEX[] = "reference/index.txt",
                   PUBLISHED[] = "reference/published";
 
-static po_reference_entry *find(const po_reference_list *list, const char *name) {
+static po_reference_entry *find_entry(const po_reference_list *list, const char *name) {
   for (size_t i = 0; i < list->count; ++i)
     if (strcmp(list->entries[i].name, name) == 0)
       return &list->entries[i];
@@ -18,9 +18,10 @@ static po_reference_entry *find(const po_reference_list *list, const char *name)
 }
 
 /* Adds folder/name, unless the list already contains it. */
-static po_status add(po_reference_list *list, const char *folder, const char *name, bool listed) {
+static po_status add_entry(po_reference_list *list, const char *folder, const char *name,
+                           bool listed) {
   const po_file_path whole = po_path_join(folder, name);
-  if (find(list, whole.text))
+  if (find_entry(list, whole.text))
     return PO_OK;
   po_reference_entry *entries = po_resize(list->entries, list->count + 1, sizeof *entries);
   if (!entries)
@@ -38,7 +39,7 @@ static po_status add_listed(const char *data_folder, po_reference_list *list) {
   for (char *line = status ? NULL : strtok_r(text, "\r\n", &rest); !status && line;
        line = strtok_r(NULL, "\r\n", &rest))
     if (line[0] != '#')
-      status = add(list, FOLDER, line, true);
+      status = add_entry(list, FOLDER, line, true);
   free(text);
   return status;
 }
@@ -52,7 +53,7 @@ static po_status add_found(const char *data_folder, const char *folder, po_refer
   if (folder != PUBLISHED || po_path_exists(path.text))
     status = po_folder_list(path.text, ".csv", &names, &count);
   for (size_t i = 0; !status && i < count; ++i)
-    status = add(list, folder, names[i], false);
+    status = add_entry(list, folder, names[i], false);
   po_names_free(names, count);
   return status;
 }

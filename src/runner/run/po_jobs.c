@@ -107,7 +107,7 @@ bool po_times_are_enough(const po_round *rounds, unsigned count) {
 }
 
 /* Solves a scene. Returned: in *result, also if the solve failed. */
-static po_status solve(const po_request *request, po_result *result) {
+static po_status solve_scene(const po_request *request, po_result *result) {
   const po_status status = po_solve(request, result);
   if (status && !result->reason[0])
     snprintf(result->reason, sizeof result->reason, "%.250s", po_message());
@@ -121,7 +121,7 @@ static void solve_round(po_case_run *run, const po_job *job, const po_job_desk *
   po_result *result = job->round ? &again : first;
   request.stop = desk->stop;
   const double begin = po_clock_thread();
-  const po_status status = solve(&request, result);
+  const po_status status = solve_scene(&request, result);
   round->processor_seconds = po_clock_thread() - begin;
   round->seconds = result->work.seconds;
   if (status == PO_NO_MEMORY)
@@ -158,7 +158,7 @@ po_status po_job_solve(po_case_run *run, const po_job *job, const po_job_desk *d
  * series. */
 static po_status trace_in_addition(const po_request *request, po_result *trace) {
   po_result_clear(trace);
-  const po_status status = solve(request, trace);
+  const po_status status = solve_scene(request, trace);
   return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
 }
 

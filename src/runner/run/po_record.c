@@ -264,7 +264,7 @@ po_status po_record_write(po_case_run *run, const char *folder, int jobs,
 
 /* Reads the record in a folder. Returned: *record, NULL if there is none; *intact, whether it has
  * its checksum; *exists, whether there is a file, which may be no JSON. Status: PO_NO_MEMORY. */
-static po_status load(const char *folder, json_t **record, bool *intact, bool *exists) {
+static po_status load_record(const char *folder, json_t **record, bool *intact, bool *exists) {
   char *bytes = NULL;
   size_t size = 0;
   po_status status = po_file_read(po_path_join(folder, RECORD).text, &bytes, &size);
@@ -324,7 +324,7 @@ static bool is_of_run(const po_case_run *run, const json_t *record) {
 po_status po_record_check(po_case_run *run, const char *folder) {
   json_t *record = NULL;
   bool intact, exists;
-  po_status status = load(folder, &record, &intact, &exists);
+  po_status status = load_record(folder, &record, &intact, &exists);
   const po_status tables = status || !intact ? PO_OK : check_tables(record, folder);
   if (tables == PO_NO_MEMORY)
     status = tables;
@@ -342,7 +342,7 @@ po_status po_record_check_owner(const po_case_run *run) {
   bool intact, exists;
   if (!kase->is_own)
     return PO_OK;
-  po_status status = load(run->folder.text, &record, &intact, &exists);
+  po_status status = load_record(run->folder.text, &record, &intact, &exists);
   const char *owner = po_record_text(record, "file");
   if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
     status = po_fail(

@@ -45,7 +45,7 @@ static void span(double seconds, char text[32]) {
              (int)seconds % 60);
 }
 
-static void show(po_progress *progress, const char *what) {
+static void show_progress(po_progress *progress, const char *what) {
   char elapsed[32], remaining[32], line[160];
   const double seconds = po_clock_wall() - progress->begin;
   span(seconds, elapsed);
@@ -72,7 +72,7 @@ static void progress_begin(po_progress *progress, size_t total, double effort) {
                             .begin = now,
                             .last = now};
   if (total && progress->live)
-    show(progress, "");
+    show_progress(progress, "");
 }
 
 /* Counts a solved point. Given: `what`, its name; `effort`, its share of the total. Only one thread
@@ -81,7 +81,7 @@ static void progress_step(po_progress *progress, const char *what, double effort
   progress->done += 1;
   progress->spent += effort;
   if (progress->live || po_clock_wall() - progress->last > PLAIN_INTERVAL)
-    show(progress, what);
+    show_progress(progress, what);
 }
 
 /* Prints a line that remains on the terminal, e.g. when a case is finished. */
@@ -175,7 +175,7 @@ static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
 }
 
 /* Counts a solve and, if it was the last one of its point, stores the result. */
-static po_status take(void *context, po_case_run *run, size_t point, bool last) {
+static po_status take_point(void *context, po_case_run *run, size_t point, bool last) {
   po_crew *crew = context;
   if (!run->points[point].done) {
     char what[128];
@@ -193,7 +193,7 @@ static po_status take(void *context, po_case_run *run, size_t point, bool last) 
 /* Does a job, and finishes the case if nothing of it is left to do. */
 static void do_job(po_crew *crew, const po_job *job) {
   po_case_run *run = &crew->runs[job->run];
-  const po_job_desk desk = {crew->options->stop, take, crew};
+  const po_job_desk desk = {crew->options->stop, take_point, crew};
   const double begin = po_clock_wall();
 #pragma omp critical(po_run_finish)
   run->at_work += 1;

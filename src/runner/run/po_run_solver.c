@@ -56,7 +56,7 @@ static po_question question_of(const po_case_run *run, size_t point) {
 /* Collects the questions of a share. Question number k of the requested points, whether they are
  * done or not, belongs to share k modulo the number of shares; it is asked if one of its points is
  * not done. Status: PO_NO_MEMORY. */
-static po_status collect(po_case_run *run, size_t share, size_t shares, share_of_run *s) {
+static po_status collect_questions(po_case_run *run, size_t share, size_t shares, share_of_run *s) {
   const po_plan *plan = run->plan;
   const size_t points = plan->kase->point_count;
   size_t *first = po_allocate(points, sizeof *first); /* of each distinct question, its point */
@@ -106,7 +106,7 @@ static po_status copy_result(const po_case_run *run, size_t point, const po_resu
 }
 
 /* Stores an answer for all points of its question. */
-static po_status store(share_of_run *s, size_t question, po_answer *answer, bool final) {
+static po_status store_answer(share_of_run *s, size_t question, po_answer *answer, bool final) {
   po_case_run *run = s->run;
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
@@ -125,10 +125,10 @@ static po_status store(share_of_run *s, size_t question, po_answer *answer, bool
   return status;
 }
 
-static po_status take(void *context, size_t question, po_answer *answer, bool final) {
+static po_status take_answer(void *context, size_t question, po_answer *answer, bool final) {
   po_status status = PO_OK;
 #pragma omp critical(po_run_finish)
-  status = store(context, question, answer, final);
+  status = store_answer(context, question, answer, final);
   return status;
 }
 
@@ -154,10 +154,10 @@ po_status po_job_share(po_case_run *run, const po_job *job, const po_job_desk *d
   po_ask_log log = {0};
   po_status status = PO_OK;
 #pragma omp critical(po_run_finish)
-  status = collect(run, job->point, run->chunks, &s);
+  status = collect_questions(run, job->point, run->chunks, &s);
   if (!status && s.count)
     status = po_ask(run->plan->solver, s.questions, s.count, run->folder.text, run->plan->solve_key,
-                    desk->stop, take, &s, &log);
+                    desk->stop, take_answer, &s, &log);
   if (!status)
     status = keep_log(run, &log);
   po_ask_log_clear(&log);
@@ -176,9 +176,10 @@ static po_status take_recovered(void *context, po_case_run *run, size_t point, b
 po_status po_run_solver_recover(po_case_run *run) {
   static const po_job_desk STORE = {.take = take_recovered};
   share_of_run s = {.desk = &STORE};
-  po_status status = collect(run, 0, 1, &s);
+  po_status status = collect_questions(run, 0, 1, &s);
   if (!status)
-    status = po_recover(s.questions, s.count, run->folder.text, run->plan->solve_key, take, &s);
+    status =
+        po_recover(s.questions, s.count, run->folder.text, run->plan->solve_key, take_answer, &s);
   clear_share(&s);
   return status;
 }
@@ -261,8 +262,8 @@ static void take_process(po_round *round, const po_ask_log *log) {
 
 /* Asks the question of a point in a process of its own, and stores the times; the first round gives
  * the result. Status: as po_ask. */
-static po_status ask(po_case_run *run, size_t point, unsigned round,
-                     const volatile sig_atomic_t *stop) {
+static po_status ask_round(po_case_run *run, size_t point, unsigned round,
+                           const volatile sig_atomic_t *stop) {
   po_round *made = &run->points[point].rounds[round];
   made->seconds = made->processor_seconds = NAN;
   po_status status = measure_start(run, round, stop);
@@ -303,7 +304,7 @@ static bool are_enough(const po_case_run *run, size_t point, unsigned round) {
 }
 
 /* Computes the medians of a point whose last round was number `round`. */
-static void end(po_case_run *run, size_t point, unsigned round) {
+static void end_rounds(po_case_run *run, size_t point, unsigned round) {
   const unsigned repeats = run->plan->kase->repeats;
   po_result *result = &run->points[point].result;
   po_round *rounds = run->points[point].rounds;
@@ -313,7 +314,7 @@ static void end(po_case_run *run, size_t point, unsigned round) {
 }
 
 /* Copies result and times of a point to another one with the same question. */
-static po_status copy(po_case_run *run, size_t number, const po_point_run *point) {
+static po_status copy_point(po_case_run *run, size_t number, const po_point_run *point) {
   po_point_run *to = &run->points[number];
   po_result_clear(&to->result);
   const po_status status = copy_result(run, number, &point->result, &to->result);
@@ -329,7 +330,7 @@ static po_status hand_over(po_case_run *run, size_t point, const po_job_desk *de
   for (size_t i = point + 1; !status && i < run->plan->kase->point_count; ++i) {
     if (!is_open(run, i) || !is_same(run, point, i))
       continue;
-    status = copy(run, i, &run->points[point]);
+    status = copy_point(run, i, &run->points[point]);
     if (!status)
       status = desk->take(desk->context, run, i, true);
   }
@@ -341,9 +342,9 @@ static po_status hand_over(po_case_run *run, size_t point, const po_job_desk *de
 po_status po_job_round(po_case_run *run, const po_job *job, const po_job_desk *desk) {
   if (run->points[job->point].done)
     return PO_OK;
-  const po_status status = ask(run, job->point, job->round, desk->stop);
+  const po_status status = ask_round(run, job->point, job->round, desk->stop);
   if (status || !are_enough(run, job->point, job->round))
     return status;
-  end(run, job->point, job->round);
+  end_rounds(run, job->point, job->round);
   return hand_over(run, job->point, desk);
 }

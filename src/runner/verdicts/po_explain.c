@@ -13,7 +13,7 @@ static const po_special_point *special(const po_result *result, size_t index) {
                                     : &result->extrema[index - result->fold_count];
 }
 
-static void name(const po_result *result, size_t index, char words[32]) {
+static void name_special(const po_result *result, size_t index, char words[32]) {
   const size_t number = index < result->fold_count ? index : index - result->fold_count;
   snprintf(words, 32, "%s-%zu", PO_SPECIAL_KINDS[special(result, index)->kind], number + 1);
 }
@@ -42,7 +42,7 @@ void po_place_describe(const po_result *result, double approach, double load,
     const po_special_point *mark = special(result, i);
     if (mark->approach == approach && mark->load == load) {
       char at[32];
-      name(result, i, at);
+      name_special(result, i, at);
       snprintf(words, PO_PLACE_LENGTH, "at %s", at);
       return;
     }
@@ -55,9 +55,9 @@ void po_place_describe(const po_result *result, double approach, double load,
   }
   char first[32] = "", second[32] = "";
   if (before < none)
-    name(result, before, first);
+    name_special(result, before, first);
   if (after < none)
-    name(result, after, second);
+    name_special(result, after, second);
   if (*first && *second)
     snprintf(words, PO_PLACE_LENGTH, "between %s and %s", first, second);
   else if (*first || *second)

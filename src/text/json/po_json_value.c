@@ -104,7 +104,7 @@ static int take_piece(const char *piece, size_t size, void *text) {
 
 /* Prints into a po_text, which detects lack of memory. In jansson 2.14 json_dumps continues after a
  * failed allocation and returns a damaged document. */
-static po_status print(const json_t *document, size_t layout, po_text *text) {
+static po_status print_document(const json_t *document, size_t layout, po_text *text) {
   const int failed =
       !document || json_dump_callback(document, take_piece, text, layout | JSON_REAL_PRECISION(17));
   text->failed = text->failed || failed;
@@ -114,11 +114,11 @@ static po_status print(const json_t *document, size_t layout, po_text *text) {
 }
 
 po_status po_json_print(const json_t *document, po_text *text) {
-  return print(document, JSON_INDENT(2), text);
+  return print_document(document, JSON_INDENT(2), text);
 }
 
 po_status po_json_print_line(const json_t *document, po_text *text) {
-  return print(document, JSON_COMPACT, text);
+  return print_document(document, JSON_COMPACT, text);
 }
 
 /* In jansson 2.14 the parser continues after a failed allocation, so that a number may lose digits.

@@ -134,7 +134,7 @@ static void add_option(po_text *command, const po_request *request, po_key key, 
     po_text_add(command, "%s", value);
 }
 
-static void describe(const po_request *request, bool identity, po_text *command) {
+static void describe_request(const po_request *request, bool identity, po_text *command) {
   po_text_add(command, "pulloff solve");
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (!po_key_is_idle(request, key) &&
@@ -159,9 +159,9 @@ static void describe(const po_request *request, bool identity, po_text *command)
 }
 
 void po_input_add_command(const po_request *request, po_text *text) {
-  describe(request, false, text);
+  describe_request(request, false, text);
 }
 
 void po_input_add_identity(const po_request *request, po_text *text) {
-  describe(request, true, text);
+  describe_request(request, true, text);
 }

@@ -19,7 +19,7 @@ bool po_uncertain_may(int key) {
          key == PO_KEY_TABLE_SCALE || target == PO_KEY_PRELOAD || target == PO_KEY_PRELOAD_LOAD;
 }
 
-static po_status refuse(po_texts *given, int key, const char *text) {
+static po_status refuse_value(po_texts *given, int key, const char *text) {
   char name[PO_KEY_NAME_LENGTH], shown[PO_QUOTE_LENGTH];
   given->wrong = key;
   po_texts_write_name(given, key, name);
@@ -59,7 +59,7 @@ static po_status read_text(po_texts *given, int key, po_uncertain_inputs *u) {
       u->number = grown;
       grown[u->count] = (po_uncertain_number){.key = key, .body = body};
       if (!cut_uncertainty(number, comma ? comma : number + strlen(number), &grown[u->count]))
-        return refuse(given, key, whole);
+        return refuse_value(given, key, whole);
       u->count += 1;
       comma = po_key_is_pair((po_key)key) ? strchr(number, ',') : NULL;
     }
@@ -75,14 +75,14 @@ po_status po_uncertain_read(po_texts *given, po_uncertain_inputs *u) {
   for (int key = 0; key < PO_KEY_ALL && !status; ++key)
     if (given->text[key] && key != PO_KEY_PROFILE_FILE && key != PO_KEY_VISCOELASTIC &&
         strstr(given->text[key], SIGN))
-      status =
-          po_uncertain_may(key) ? read_text(given, key, u) : refuse(given, key, given->text[key]);
+      status = po_uncertain_may(key) ? read_text(given, key, u)
+                                     : refuse_value(given, key, given->text[key]);
   return status;
 }
 
 /* Makes the request of the texts with one number moved. */
-static po_status move(const po_texts *given, const po_uncertain_number *number, double by,
-                      po_uncertain_maker *maker, const void *user, po_request *request) {
+static po_status move_input(const po_texts *given, const po_uncertain_number *number, double by,
+                            po_uncertain_maker *maker, const void *user, po_request *request) {
   po_texts moved = *given;
   const char *whole = given->text[number->key];
   const char *comma = po_key_is_pair((po_key)number->key) ? strchr(whole, ',') : NULL;
@@ -110,7 +110,7 @@ static po_status vary(po_uncertain_inputs *u, size_t k, const po_texts *given,
   for (int more = 0; more < 2 && !status; ++more) {
     po_request *moved = &u->moved[2 * k + (size_t)more];
     const double by = PO_VARIATION_REACH * number->deviation;
-    status = move(given, number, more ? by : -by, maker, user, moved);
+    status = move_input(given, number, more ? by : -by, maker, user, moved);
     if (status == PO_BAD_INPUT)
       status = po_fail(status, "%s is %s+-%g, and moved by twice its uncertainty it is refused: %s",
                        name, text, number->deviation, po_message());

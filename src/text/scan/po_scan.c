@@ -370,7 +370,7 @@ static void level_sides(po_scan *s) {
 }
 
 /* The parabola c + r^2/(2 R) through the table, and by how much the sides differ. */
-static void describe(po_scan *s) {
+static void describe_scan(po_scan *s) {
   const double n = (double)s->count;
   double u = 0.0, g = 0.0, uu = 0.0, ug = 0.0, difference = 0.0, off = 0.0;
   for (size_t k = 0; k < s->count; ++k) {
@@ -415,7 +415,7 @@ static po_status make_sides(const po_scan_request *request, po_scan *s) {
                    request->path, s->count, LEAST_COUNT);
   if (!request->keeps_tilt)
     level_sides(s);
-  describe(s);
+  describe_scan(s);
   return s->radius > 0.0
              ? PO_OK
              : po_fail(PO_CANNOT_READ,

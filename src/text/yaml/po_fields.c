@@ -42,7 +42,7 @@ static const char *expected_of(const po_field *field) {
   return field->expected ? field->expected : PO_KEYS[po_texts_key(field->key)].expected;
 }
 
-static po_status refuse(const place *at, const po_field *field) {
+static po_status refuse_field(const place *at, const po_field *field) {
   return po_yaml_refuse(at->yaml, at->path, expected_of(field));
 }
 
@@ -87,14 +87,14 @@ static const char *scalar_of(const yaml_node_t *node) {
 static po_status load_text(const place *at, const yaml_node_t *node, const po_field *field,
                            char **to) {
   if (node->type != YAML_SCALAR_NODE || !*text_of(node))
-    return refuse(at, field);
+    return refuse_field(at, field);
   *to = po_copy_text(scalar_of(node));
   return *to ? PO_OK : PO_NO_MEMORY;
 }
 
 static po_status load_part(place *at, const yaml_node_t *node, const po_field *field, char *to) {
   return node->type == YAML_MAPPING_NODE ? load_mapping(at, node, field->fields, to)
-                                         : refuse(at, field);
+                                         : refuse_field(at, field);
 }
 
 /* Allocates the object that a member points to. po_fields_clear frees it with the struct, whatever
@@ -109,7 +109,7 @@ static po_status load_list(place *at, const yaml_node_t *node, const po_field *f
                            char *structure) {
   if (node->type != YAML_SEQUENCE_NODE ||
       node->data.sequence.items.start == node->data.sequence.items.top)
-    return refuse(at, field);
+    return refuse_field(at, field);
   const yaml_node_item_t *first = node->data.sequence.items.start;
   const size_t count = (size_t)(node->data.sequence.items.top - first);
   char *items = make_room(field, count, structure);
@@ -169,7 +169,7 @@ static po_status load_mapping(place *at, const yaml_node_t *node, const po_field
   for (const po_field *field = fields; !status && field->key; ++field)
     if (!field->optional && !has_key(at, node, field->key)) {
       enter_key(at, field->key);
-      status = refuse(at, field);
+      status = refuse_field(at, field);
     }
   return status;
 }
@@ -207,7 +207,7 @@ void po_fields_clear(const po_field *fields, void *structure) {
 }
 
 /* Returned: the field at a path; NULL: no such field. */
-static const po_field *find(const po_field *fields, const char *path) {
+static const po_field *find_field(const po_field *fields, const char *path) {
   const po_field *field = NULL;
   while (*path) {
     path += *path == '.';
@@ -231,5 +231,6 @@ po_status po_fields_refuse(const po_yaml *yaml, const char *expected, const char
   va_start(arguments, format);
   vsnprintf(path, sizeof path, format, arguments);
   va_end(arguments);
-  return po_yaml_refuse(yaml, path, expected ? expected : expected_of(find(yaml->fields, path)));
+  return po_yaml_refuse(yaml, path,
+                        expected ? expected : expected_of(find_field(yaml->fields, path)));
 }

@@ -151,7 +151,8 @@ static po_status check_limits(po_yaml *yaml, yaml_parser_t *parser) {
 }
 
 /* Reads the next document. */
-static po_status load(const po_yaml *yaml, yaml_parser_t *parser, yaml_document_t *document) {
+static po_status load_document(const po_yaml *yaml, yaml_parser_t *parser,
+                               yaml_document_t *document) {
   po_memory_watch();
   if (yaml_parser_load(parser, document))
     return PO_OK;
@@ -161,9 +162,9 @@ static po_status load(const po_yaml *yaml, yaml_parser_t *parser, yaml_document_
                  parser->problem ? parser->problem : "unreadable");
 }
 
-static po_status parse(po_yaml *yaml, yaml_parser_t *parser) {
+static po_status parse_document(po_yaml *yaml, yaml_parser_t *parser) {
   yaml_document_t document, more;
-  po_status status = load(yaml, parser, &document);
+  po_status status = load_document(yaml, parser, &document);
   if (status)
     return status;
   yaml->document = po_allocate(1, sizeof document);
@@ -180,7 +181,7 @@ static po_status parse(po_yaml *yaml, yaml_parser_t *parser) {
                    root->start_mark.line + 1);
   status = check_tree(yaml);
   if (!status)
-    status = load(yaml, parser, &more);
+    status = load_document(yaml, parser, &more);
   if (status)
     return status;
   const yaml_node_t *second = yaml_document_get_root_node(&more);
@@ -219,7 +220,7 @@ po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_ya
   if (!status)
     status = with_parser(made, bytes, size, check_limits);
   if (!status)
-    status = with_parser(made, bytes, size, parse);
+    status = with_parser(made, bytes, size, parse_document);
   if (status)
     po_yaml_destroy(made);
   else
@@ -239,7 +240,7 @@ void po_yaml_destroy(po_yaml *yaml) {
 
 /* Returned: the node at a path; NULL if it is absent. *line is the line of the innermost existing
  * node on the path. */
-static yaml_node_t *find(const po_yaml *yaml, const char *path, size_t *line) {
+static yaml_node_t *find_node(const po_yaml *yaml, const char *path, size_t *line) {
   yaml_node_t *node = yaml_document_get_root_node(yaml->document);
   *line = node->start_mark.line + 1;
   while (*path && node) {
@@ -266,13 +267,13 @@ static yaml_node_t *find(const po_yaml *yaml, const char *path, size_t *line) {
 
 size_t po_yaml_line(const po_yaml *yaml, const char *path) {
   size_t line = 1;
-  find(yaml, path, &line);
+  find_node(yaml, path, &line);
   return line;
 }
 
 po_status po_yaml_refuse(const po_yaml *yaml, const char *path, const char *expected) {
   size_t line = 1;
-  const yaml_node_t *node = find(yaml, path, &line);
+  const yaml_node_t *node = find_node(yaml, path, &line);
   if (!node)
     return po_fail(PO_BAD_INPUT, "%s:%zu: %s is missing: expected %s", yaml->name, line, path,
                    expected);
