@@ -2,9 +2,11 @@
  * trace of each scene. */
 #include <math.h>
 
+#include "po_follow.h"
 #include "po_random.h"
 #include "po_series.h"
 #include "po_solve.h"
+#include "po_solve_parts.h"
 #include "run.h"
 
 enum { MOST = 24, SEED = 2385 };
@@ -201,4 +203,64 @@ TEST(scenes_that_cannot_be_followed_are_traced) {
     po_result_clear(&alone);
     po_result_clear(&result[k]);
   }
+}
+
+/* A wavy sphere, with the logarithm of the amplitude as the parameter, counted from a large number,
+ * so that steps are rounded. */
+typedef struct {
+  double domain, target, nearest; /* least distance of a step from the target that is not 0 */
+} wave_series;
+
+static const double COUNTED_FROM = 1000.0;
+
+static void wave_at(void *data, double at, po_scene *scene) {
+  wave_series *s = data;
+  *scene = po_scene_default();
+  scene->tabor = 3.0;
+  scene->wavelength = 20.0;
+  scene->amplitude = exp(at - COUNTED_FROM);
+  if (at != s->target)
+    s->nearest = fmin(s->nearest, fabs(at - s->target));
+}
+
+static double same_domain(void *data, const po_scene *scene) {
+  (void)scene;
+  return ((wave_series *)data)->domain;
+}
+
+/* Half of the rest, twice, is the rest but for rounding: what remains is no step. */
+TEST(rounding_leaves_no_step) {
+  po_request request = po_request_default();
+  request.mesh.tolerance = 1e-5;
+  request.preload.load = 1.0;
+  request.scene.tabor = 3.0;
+  request.scene.wavelength = 20.0;
+  request.scene.amplitude = 0.3;
+  po_kept_points kept = {.which = PO_KEEP_MINIMA};
+  po_result result;
+  ck_assert_int_eq(po_solve_kept(&request, &kept, &result), PO_OK);
+  ck_assert_uint_ge(kept.count, 1);
+  const double begin = COUNTED_FROM + log(0.3);
+  int halved = 0;
+  for (int k = 0; k < 24; ++k) {
+    const po_solution *deepest = &kept.points[kept.count - 1].point;
+    wave_series s = {deepest->domain, begin + 0.5 + 0.0371 * k, INFINITY};
+    const po_follow_options options = {.scene_at = wave_at,
+                                       .domain_of = same_domain,
+                                       .data = &s,
+                                       .allowed = po_solve_allowance(1e-5),
+                                       .precision = po_solve_precision(1e-5),
+                                       .sharpness = 1e-5};
+    po_follower *f = NULL;
+    ck_assert_int_eq(po_follow_create(&options, begin, &f), PO_OK);
+    ck_assert_int_eq(po_follow_begin(f, deepest, PO_OF_LOAD, begin), PO_OK);
+    s.nearest = INFINITY;
+    ck_assert_int_eq(po_follow_to(f, s.target), PO_OK);
+    ck_assert_double_gt(s.nearest, 1e-6);
+    halved += s.nearest < 0.6 * (s.target - begin);
+    po_follow_destroy(f);
+  }
+  ck_assert_int_ge(halved, 12);
+  po_kept_points_clear(&kept);
+  po_result_clear(&result);
 }

@@ -197,6 +197,20 @@ TEST(takes_few_points) {
   po_result_clear(&o);
 }
 
+/* The greatest range makes a jump before the preload that smaller ones do not, so that two traces
+ * have other pull-offs. They agree all the same: the pull-off of the second is a minimum of the
+ * first. With a third trace the scene takes 9,000 points. */
+TEST(two_traces_agree_on_a_minimum_before_a_jump) {
+  po_request request = request_of(112.040442, 572863.323, 55.8582041, 3015.27947);
+  request.preload.load = 0.159941631;
+  request.range = PO_RANGE_REDUCED;
+  po_result o;
+  ck_assert_int_eq(po_solve(&request, &o), PO_OK);
+  ck_assert_double_le(o.pull_off.force_error, 1e-4 * o.pull_off.force);
+  ck_assert_uint_lt(o.work.points, 6000);
+  po_result_clear(&o);
+}
+
 /* Two minima of the load are almost as deep. With the traced ranges, 14.5 and 29 times as great,
  * the first is deeper, by 0.5 % and 2.4 %; with the true one the second, by 0.7 %. The force with
  * the true range, of 1,700 points, is 1.08221437 +- 2e-7. */

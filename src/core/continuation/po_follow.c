@@ -28,6 +28,9 @@ static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 0.025 * FIRST_PAR
 /* The same of a fold, and of scenes of several units of length, at any step: nothing replaces the
  * special point if it is given up, and the scenes may be far apart. */
 static const double SHORTEST_PART_OF_FOLD = 1e-6;
+/* What a step of half the rest leaves by rounding, relative to it. A step of it would give two
+ * marks of one parameter, and the predictor no sense. */
+static const double ROUNDING = 1e-9;
 
 /* A mark: the solution of the special point at one value of the parameter, and its scene. */
 typedef struct {
@@ -347,7 +350,7 @@ po_status po_follow_to(po_follower *f, double at) {
     if (stopped)
       return stopped;
     const double most = f->count == 1 ? fmin(f->step, FIRST_PART * fabs(whole)) : f->step;
-    const bool last = fabs(left) <= most;
+    const bool last = fabs(left) <= (1.0 + ROUNDING) * most;
     const double step = last ? left : copysign(most, left);
     const double to = last ? at : mark_of(f, 0)->at + step;
     const double part = f->of == PO_OF_APPROACH || f->options.unit_at ? SHORTEST_PART_OF_FOLD

@@ -223,31 +223,17 @@ static po_status follow_point(const po_range_follower *f, const po_kept_point *p
   return status;
 }
 
-/* Whether a minimum of the load that was followed to the range of another trace is the one with the
- * given load and approach there. */
-static bool is_same(const po_request *request, const po_range_trace *t, const po_range_track *track,
-                    double load, double load_error, double approach) {
-  const po_special_point *p = &track->at[t->at].point;
-  const double tolerance = OF_TOLERANCE * request->mesh.tolerance * fabs(load);
-  return fabs(load - p->load) <= PO_SAME_LOAD * tolerance + p->load_error + load_error &&
-         fabs(approach - p->approach) <= PO_SAME_APPROACH * (1.0 + fabs(p->approach));
-}
-
-/* Whether it is the pull-off there. */
-static bool is_pull_off_of(const po_request *request, const po_range_trace *t,
-                           const po_range_track *track) {
-  const po_result *o = &t->result;
-  return is_same(request, t, track, -o->pull_off.force, o->pull_off.force_error,
-                 o->pull_off.approach);
-}
-
-/* Whether it is a minimum that is deeper than all before. The values of a trace are not corrected
- * by those of a finer mesh. */
+/* Whether a minimum of the load that was followed to the range of another trace is one that this
+ * has kept. The values of a trace are not corrected by those of a finer mesh. */
 static bool is_kept_by(const po_request *request, const po_range_trace *t,
                        const po_range_track *track) {
-  const po_kept_point *p = minimum_of(t, track->at[t->at].point.approach);
-  return p &&
-         is_same(request, t, track, p->load, request->mesh.tolerance * fabs(p->load), p->approach);
+  const po_special_point *p = &track->at[t->at].point;
+  const po_kept_point *kept = minimum_of(t, p->approach);
+  if (!kept)
+    return false;
+  const double tolerance = (PO_SAME_LOAD * OF_TOLERANCE + 1.0) * request->mesh.tolerance;
+  return fabs(kept->load - p->load) <= tolerance * fabs(kept->load) + p->load_error &&
+         fabs(kept->approach - p->approach) <= PO_SAME_APPROACH * (1.0 + fabs(p->approach));
 }
 
 /* -- The solve -- */
@@ -438,15 +424,16 @@ static po_status follow_minimum(search *s, const po_range_follower *f, const po_
   return conclude(s, f, is_traced, result);
 }
 
-/* Follows the pull-off of the last trace to the range of the one before, where it has to be the
- * same, then the jumps of loading to smaller ones, then what is the pull-off at the true range.
- * Returned: s->next: -1 if the solve is complete. */
+/* Follows the pull-off of the last trace to the range of the one before, where it has to be a
+ * minimum, although a jump that only the greater range makes may lead to a deeper one; then the
+ * jumps of loading to smaller ones, then what is the pull-off at the true range. Returned: s->next:
+ * -1 if the solve is complete. */
 static po_status follow_all(search *s, const po_range_follower *f, po_result *result) {
   s->minimum = pull_off_of(&s->now);
   po_status status = follow_point(f, s->minimum, s->before.at, s->now.at, INFINITY, &s->pull_off);
   if (status)
     return status;
-  if (!is_pull_off_of(s->ranges.request, &s->before, &s->pull_off))
+  if (!is_kept_by(s->ranges.request, &s->before, &s->pull_off))
     return PO_NOT_CONVERGED;
   bool known;
   const po_kept_point *before;
