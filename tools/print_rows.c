@@ -82,7 +82,7 @@ static void print_keys(void) {
   const po_request usual = po_input_default();
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     const bool number = po_key_is_number((po_key)key);
-    const bool creeps = key == PO_KEY_VISCOELASTIC || key == PO_KEY_UNLOAD_SPEED;
+    const bool creeps = po_key_is_of_time(key);
     const bool text =
         key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES || key == PO_KEY_VISCOELASTIC;
     const bool null = text || creeps || (number && isnan(po_key_number(&usual, (po_key)key)));

@@ -43,6 +43,8 @@ class Keys(TypedDict, total=False):
     range: Name
     viscoelastic: Name
     unload_speed: Number
+    load_speed: Number
+    dwell: Number
     time_limit: Number
     alpha: Number
     amplitude_ratio: Number
@@ -64,6 +66,8 @@ class Keys(TypedDict, total=False):
     stiffness_n_per_m: Number
     relaxation_time_s: Number
     unload_speed_m_per_s: Number
+    load_speed_m_per_s: Number
+    dwell_s: Number
     profile_approach: Number
     profile_approach_m: Number
     profile_load: Number

@@ -1,4 +1,5 @@
-"""Unloading of a viscoelastic half-space at constant speed, from the relaxed contact at a preload.
+"""Unloading of a viscoelastic half-space at constant speed, from the relaxed contact at a preload, or after loading
+at constant speed from a distance, where it has not crept, and a dwell at that approach.
 
     H(r, t) = f(r) - D(t) + kappa G [k p(H) + sum_m z_m],    tau_m dz_m/dt + z_m = (1 - k) w_m p,    D = D0 - V t
 
@@ -46,6 +47,7 @@ AT_FOLD = 1e-8            # ... or than the shorter of this part of epsilon/V an
 BEYOND = 1e-4             # distance beyond the fold at which the relaxation starts
 MOVED = 0.02              # change of 1 + H, relative, that is a jump
 MOST_STEPS = 4000
+START = -10.0             # approach at which loading at a speed begins
 FAR = 15.0                # gap added to the initial gap where loading begins
 COARSE, COARSE_WIDTH = Level(order=6, tail=10, tolerance=1e-6), 2.5  # of the mesh on which surfaces relax
 AT_APPROACH = np.array([1.0, 0.0, 0.0])
@@ -96,6 +98,10 @@ class Unloaded:
     jump_loss: float = 0.0
     end_approach: float = np.nan
     energy_change: float = np.nan
+    loading_work: float = np.nan
+    loading_dissipated: float = np.nan
+    loading_loss: float = np.nan
+    loading_imbalance: float = 0.0
     steps: int = 0
     nodes: int = 0
     jumps: list = field(default_factory=list)
@@ -114,14 +120,24 @@ class Frozen:
         return self.undeformed
 
 
-class Test:
-    """One test: a problem (branch.py), the preload (an approach), the spectrum, k, the speed, the stiffness of a spring."""
+@dataclass(frozen=True)
+class Loading:
+    """Loading at a speed from the approach START, and how long the approach of the preload is held."""
+    speed: float
+    dwell: float
 
-    def __init__(self, problem, preload, spectrum, k, speed, accuracy, stiffness=np.inf):
-        self.soft = 1.0 / stiffness
+
+class Test:
+    """One test: a problem (branch.py), the preload (an approach), the spectrum, k, the speed, the stiffness of a spring,
+    the loading (None: the body is relaxed at the preload)."""
+
+    def __init__(self, problem, preload, spectrum, k, speed, accuracy, stiffness=np.inf, loading=None):
+        self.spring = self.soft = 1.0 / stiffness
         self.held = np.array([1.0, self.soft, 0.0])          # the base, of (approach, load, central gap)
         self.problem, self.preload, self.speed, self.accuracy = problem, preload, speed, accuracy
-        self.creep = creep(spectrum, k, speed, accuracy.spectrum)
+        self.unload_speed, self.loading = speed, loading
+        fastest = max([speed, *([loading.speed, 1.0 / max(loading.dwell, 1e-3)] if loading else [])])
+        self.creep = creep(spectrum, k, fastest, accuracy.spectrum)
         self.coarse = make_surface(problem, COARSE, lambda low, high: self.too_wide(low, high, COARSE_WIDTH))
         relaxed = self.relaxed()
         self.surface = surface = self.divided(relaxed.surface)
@@ -268,7 +284,7 @@ class Test:
             loads.append(self.weights @ p)
             losses.append(self.dissipation(rates[-1]))
         wrong = h * sum((b - c) * (r / (1.0 + DIAGONAL * x)) for b, c, r in zip(B, B_OTHER, rates)).sum(axis=1)
-        error = max(np.max(np.abs(self.operator @ wrong)), self.speed * h * abs((B - B_OTHER) @ loads),
+        error = max(np.max(np.abs(self.operator @ wrong)), abs(self.speed) * h * abs((B - B_OTHER) @ loads),
                     h * abs((B - B_OTHER) @ losses))
         gap_rate, load_rate = self.glassy_rates(gap, rates[-1])
         after = Moment(now.time + h, base, gap, z, rates[-1], loads[-1], load_rate, gap_rate,
@@ -289,10 +305,10 @@ class Test:
     def jump(self, now):
         """The next stable equilibrium of the glassy scene, with the energy that is lost."""
         history = self.operator @ now.z.sum(axis=1)
-        past = BEYOND
+        past, sense = BEYOND, np.sign(self.speed)
         while past < 0.1:
-            gap = self.rest(history, now.gap + past, now.base - past, now.base)
-            if np.max((gap - now.gap) / (1.0 + np.abs(now.gap))) > MOVED:
+            gap = self.rest(history, now.gap + sense * past, now.base - sense * past, now.base)
+            if np.max(sense * (gap - now.gap) / (1.0 + np.abs(now.gap))) > MOVED:
                 lost = self.stored(now.gap, now.z) - self.stored(gap, now.z)
                 return self.begin(gap, now.z, now.time, now.base, now.work, now.dissipated), lost
             past *= 4.0
@@ -322,7 +338,8 @@ class Test:
 
     def fallen(self, now, result):
         """The moment after the jump at the fold where steps end."""
-        self.keep(result, now)
+        if self.speed > 0.0:
+            self.keep(result, now)
         now, lost = self.jump(now)
         result.jump_loss += lost
         result.jumps.append((now.time, self.approach(now), lost))
@@ -331,38 +348,71 @@ class Test:
     def passed(self, now, h, after, result):
         """Takes the greatest tension of a step of length h, and how far the panels resolve it."""
         self.unresolved = max(self.unresolved, self.surface.roughness(self.problem.traction(after.gap)).max())
-        if now.load_rate < 0.0 <= after.load_rate:
+        if self.speed > 0.0 and now.load_rate < 0.0 <= after.load_rate:
             self.keep(result, self.locate(now, h, lambda m: m.load_rate))
 
-    def until_apart(self, now, result):
-        """Steps from a moment to the end of contact. Returns the last moment."""
-        h, shortest = FIRST * min(1.0, 1.0 / self.speed), AT_FOLD / self.speed
+    def until(self, now, result, beyond, end=np.inf):
+        """Steps from a moment until beyond(moment) > 0, or until a time. Returns the last moment."""
+        speed = max(abs(self.speed), 1.0)
+        h, shortest = FIRST / speed, AT_FOLD / (abs(self.speed) or 1.0)
         while result.steps < MOST_STEPS:
             result.steps += 1
+            last = now.time + h >= end
+            h = end - now.time if last else h
             found = self.step(now, h)
             error = np.inf if found is None else found[1]
             if error < self.accuracy.step:
                 after = found[0]
                 self.passed(now, h, after, result)
-                if self.opening(after.gap) > 0.0:
-                    return self.locate(now, h, lambda m: self.opening(m.gap))
+                if last or beyond(after) > 0.0:
+                    return after if last else self.locate(now, h, beyond)
                 now = after
                 h *= min(GROWTH, SAFETY * (self.accuracy.step / max(error, 1e-300))**0.25)
                 continue
             h *= FAILED_PART if found is None else max(LEAST_PART, SAFETY * (self.accuracy.step / error)**0.25)
             if h < max(FOLD * now.time, min(shortest, 0.01 * AT_FOLD)):
                 now = self.fallen(now, result)
-                if self.opening(now.gap) > 0.0:
+                if beyond(now) > 0.0:
                     return now
                 h = FIRST * shortest
         raise NotConverged(f"{MOST_STEPS} steps")
 
+    def relaxed_moment(self):
+        """The relaxed contact at the preload."""
+        p = self.problem.traction(self.first)
+        return self.begin(self.first, p[:, None] * self.creep.parts, 0.0, self.preload + self.soft * self.surface.load(p),
+                          0.0, 0.0)
+
+    def loaded(self, result):
+        """The moment after loading and dwell; the result has the work and the losses of these."""
+        surface = self.surface
+        glassy = replace(self.problem, elastic=self.creep.k * self.problem.elastic, profile=Frozen(self.undeformed))
+        first = correct(glassy, surface, self.undeformed - START, START, AT_APPROACH, START).gap
+        z = np.zeros((surface.size, self.creep.times.size))
+        self.speed = -self.loading.speed
+        base = START + self.soft * surface.load(self.problem.traction(first))
+        now = self.until(self.begin(first, z, 0.0, base, 0.0, 0.0), result, lambda m: self.approach(m) - self.preload)
+        if self.loading.dwell > 0.0:
+            self.speed = self.soft = 0.0
+            held = self.begin(now.gap, now.z, 0.0, self.preload, 0.0, 0.0)
+            held = self.until(held, result, lambda _: -1.0, self.loading.dwell)
+            self.soft = self.spring
+            # the base follows the spring: its work is the change of the energy of the spring
+            stretched = 0.5 * self.soft * (held.load**2 - now.load**2)
+            now = replace(held, work=now.work + stretched, dissipated=now.dissipated + held.dissipated)
+        result.loading_work, result.loading_dissipated, result.loading_loss = now.work, now.dissipated, result.jump_loss
+        result.loading_imbalance = (now.work - now.dissipated - result.jump_loss - self.stored(now.gap, now.z)
+                                    + self.stored(first, z))
+        result.jump_loss = 0.0
+        result.jumps.clear()
+        self.speed = self.unload_speed
+        return self.begin(now.gap, now.z, 0.0, self.preload + self.soft * now.load, 0.0, 0.0)
+
     def run(self):
         """The test, up to the end of contact."""
-        p, result = self.problem.traction(self.first), Unloaded(nodes=self.surface.size)
-        z = p[:, None] * self.creep.parts
-        base = self.preload + self.soft * self.surface.load(p)
-        now = self.until_apart(self.begin(self.first, z, 0.0, base, 0.0, 0.0), result)
+        result = Unloaded(nodes=self.surface.size)
+        first = self.loaded(result) if self.loading else self.relaxed_moment()
+        now = self.until(first, result, lambda m: self.opening(m.gap))
         result.work, result.dissipated, result.end_approach = now.work, now.dissipated, self.approach(now)
-        result.energy_change = self.stored(now.gap, now.z) - self.stored(self.first, z)
+        result.energy_change = self.stored(now.gap, now.z) - self.stored(first.gap, first.z)
         return result

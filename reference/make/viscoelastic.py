@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Pull-off of viscoelastic spheres at a constant speed of unloading, from the relaxed contact at a preload.
+"""Pull-off of viscoelastic spheres at a constant speed of unloading, from the relaxed contact at a preload or after loading
+at a speed and a dwell.
 
 The equations and the method are those of unloading.py; the spectra and the theory of Persson and Brener of creep.py.
 
     viscoelastic.py --list                                        the tests of the table
-    viscoelastic.py --scene 1 0 20 100 inf 'gamma:0.1;0.6' 5 1 -      one test (some seconds; tabor amplitude wavelength
+    viscoelastic.py --scene 1 0 20 100 inf 'gamma:0.1;0.6' 5 1 - - -  one test (some seconds; tabor amplitude wavelength
                                                                   radius outer_radius viscoelastic preload unload_speed
-                                                                  stiffness)
+                                                                  stiffness load_speed dwell)
     viscoelastic.py --published FILE ROW...                       rows (from 1) of a table of ML4Adhesion beside this solver
     viscoelastic.py --sample                                      known limits, a sample compared with the stored table
     viscoelastic.py --write [DIR] [--resume]                      regenerate the table (half an hour); --resume keeps the
@@ -18,18 +19,19 @@ import sys
 from dataclasses import replace
 
 import numpy as np
+from scipy.optimize import brentq
 
 from branch import NotConverged, smooth_sphere
 from command_line import STORED, notes, options, run
 from creep import persson_brener
 from tables import bound, number, read_table, write_table
-from unloading import A, B, C, Accuracy, Test
+from unloading import A, B, C, Accuracy, Loading, Test
 from wavy_sphere import Scene
 
 TABLE, FENG, DATE = "viscoelastic.csv", "feng_pull_off.csv", "2026-11-27"
-KEYS = "tabor amplitude wavelength radius outer_radius viscoelastic preload unload_speed stiffness".split()
+KEYS = "tabor amplitude wavelength radius outer_radius viscoelastic preload unload_speed stiffness load_speed dwell".split()
 NAMES = "force approach contact_radius time work dissipated jump_loss end_approach".split()
-SCENES = [tuple(line.split()) for line in """
+SCENES = [tuple(line.split() + ["-"] * (len(KEYS) - len(line.split()))) for line in """
     1 0 20 100 inf sls:0.1 5 1 -
     1 0 20 100 inf gamma:0.1;0.6 2.16524 1 -
     1 0 20 100 100 gamma:0.1;0.6 2.16524 1 -
@@ -61,6 +63,14 @@ SCENES = [tuple(line.split()) for line in """
     2 0 20 100 100 gamma:0.1;0.6 3 100 1
     1 0.5 20 100 100 sls:0.1 5 10 0.3
     5 0 20 100 inf sls:0.1 2 10 -
+    1 0 20 100 inf sls:0.1 5 1 - 1 0
+    1 0 20 100 inf sls:0.1 5 1 - 10 1
+    1 0 20 100 inf gamma:0.1;0.6 3 10 - 10 0.5
+    0.3 0 20 100 inf sls:0.01 2 10 - 100 0
+    2 0 20 100 inf sls:0.3 3 1 - 1 0.1
+    1 0.5 20 100 100 sls:0.1 5 10 - 10 1
+    1 0 20 100 inf sls:0.1 3 1 0.3 1 0.5
+    1 0 20 100 inf prony:three_times.csv 5 1 -
 """.strip().splitlines()]
 SAMPLE = SCENES[:4]
 
@@ -73,8 +83,10 @@ COARSE_TIME = {"step": 1e-5, "spectrum": 0.9}
 
 
 def material(text):
-    """The spectrum, as creep takes it, and k of `sls:k`, `gamma:k;n` or `terms:k;tau_1@w_1;...`."""
+    """The spectrum, as creep takes it, and k of `sls:k`, `gamma:k;n`, `terms:k;tau_1@w_1;...` or `prony:FILE`."""
     name, _, rest = text.partition(":")
+    if name == "prony":
+        return prony(rest)
     if name == "terms":
         k, _, terms = rest.partition(";")
         return f"terms:{terms}", float(k)
@@ -84,13 +96,40 @@ def material(text):
     return name if name == "sls" else f"gamma:{numbers[1]}", float(numbers[0])
 
 
+def prony(name):
+    """The spectrum and k of a table of the modulus, E(t) = sum_m weight_m exp(-t/time_m), the last time inf. The Laplace
+    transform of the compliance over that of its relaxed value is E(inf)/(s E*(s)), whose poles are roots between those
+    of the modulus, and one beyond."""
+    rows = [(float(row["time"]), float(row["modulus"])) for row in read_table(STORED / name)[1]]
+    times = np.array([time for time, _ in rows if np.isfinite(time)])
+    parts = np.array([part for time, part in rows if np.isfinite(time)])
+    relaxed = sum(part for time, part in rows if not np.isfinite(time))
+
+    def modulus(s):
+        """s times the transform of E at s = -1/tau."""
+        return relaxed + (parts * s / (s + 1.0 / times)).sum()
+
+    poles = [0.0, *sorted(1.0 / times)]
+    near = 1e-13
+    roots = [brentq(lambda rate: modulus(-rate), low + near * (high - low), high - near * (high - low), xtol=1e-15 * high,
+                    rtol=1e-14) for low, high in zip(poles, poles[1:])]
+    # the residue of relaxed/(s modulus(s)) at s = -rate
+    shares = [relaxed / (rate * (parts / times / (1.0 / times - rate)**2).sum()) for rate in roots]
+    k = relaxed / (relaxed + parts.sum())
+    if not abs(sum(shares) - (1.0 - k)) < 1e-11:
+        raise ValueError(f"{name}: the parts of the compliance have the sum {sum(shares)}, expected {1.0 - k}")
+    weights = np.array(shares) / sum(shares)
+    return "terms:" + ";".join(f"{1.0 / rate!r}@{weight!r}" for rate, weight in zip(roots, weights.tolist())), k
+
+
 def test_of(key, accuracy):
     """The test of a row."""
     scene = Scene(*key[:5], 0.0, 0.0)
     smooth = float(scene.amplitude) == 0.0 and scene.outer_radius == "inf"
     problem = smooth_sphere(float(scene.tabor)) if smooth else scene.problem()
     stiffness = np.inf if key[8] == "-" else float(key[8])
-    return Test(problem, float(key[6]), *material(key[5]), float(key[7]), accuracy, stiffness), scene.width
+    loading = None if key[9] == "-" else Loading(float(key[9]), float(key[10]))
+    return Test(problem, float(key[6]), *material(key[5]), float(key[7]), accuracy, stiffness, loading), scene.width
 
 
 def measure(key, accuracy):
@@ -134,7 +173,8 @@ def header(rows):
     balance = max(abs(float(row[-1])) for row in rows)
     return {
         "what": "unloading of a viscoelastic half-space at a constant speed, from the relaxed contact at the preload (an "
-                "approach, reached by slow loading): the greatest tension with its approach, contact radius and time, and up to "
+                "approach, reached by slow loading), or after loading at load_speed from the approach -10, where the body has "
+                "not crept, and holding the approach of the preload for the time dwell: the greatest tension with its approach, contact radius and time, and up to "
                 "the end of contact the work of the base, the energy dissipated in the solid, the energy lost in jumps",
         "source": "A. Papangelo, M. Ciavarella, Lubricants 8(9), 90 (2020), doi 10.3390/lubricants8090090, Eqs 10-17, with the "
                   "traction in the deflection replaced by its hereditary integral with the compliance over the relaxed one, "
@@ -144,10 +184,11 @@ def header(rows):
                   "Kelvin elements; diagonally implicit Runge-Kutta method of order 4 with an embedded error; jumps at frozen "
                   "history by relaxation against a local damping; shares no code or method with src/",
         "units": "lengths in epsilon, approach > 0 pressed together; force, the greatest tension, in pi w R; energies in "
-                 "pi w R epsilon; stiffness of the spring, whose base moves at the speed, in pi w R/epsilon (-: none); time and "
-                 "relaxation times in tau_0, unload_speed in epsilon/tau_0; "
+                 "pi w R epsilon; stiffness of the spring, whose base moves at the speed, in pi w R/epsilon (-: none); time, dwell and "
+                 "relaxation times in tau_0, speeds in epsilon/tau_0 (load_speed -: slow loading); "
                  "tabor = (R w^2/(E*^2 epsilon^3))^(1/3) with the relaxed E*; viscoelastic: sls:k, phi = exp(-t), or gamma:k;n, "
-                 "phi = (1/Gamma(n)) int tau^(n-1) exp(-tau) exp(-t/tau) dtau, k the relaxed over the glassy modulus; "
+                 "phi = (1/Gamma(n)) int tau^(n-1) exp(-tau) exp(-t/tau) dtau, k the relaxed over the glassy modulus, or prony:FILE, "
+                 "a table of the modulus in this folder; "
                  "end_approach: where the gap first exceeds that of the greatest tension, H = 3^(1/6) - 1, everywhere; "
                  "imbalance: work less change of energy, dissipation and losses in jumps",
         "uncertainty": "the differences from two coarser solutions, one in space and one in time, added; not below 1e-9",
@@ -190,11 +231,11 @@ def known_limits():
     if not np.max(np.abs(moments)) < 1e-14:
         raise ValueError(f"conditions of order 4: {moments}")
     elastic = next(row for row in read_table(STORED / FENG)[1] if row["tabor"] == "1")
-    values = fine(("1", "0", "20", "100", "inf", "sls:1", "2", "3", "-"))[0]
+    values = fine(("1", "0", "20", "100", "inf", "sls:1", "2", "3", "-", "-", "-"))[0]
     for name, value, limit in ("force", values[0], 1e-7), ("approach", values[1], 1e-4):
         if not abs(value - float(elastic[name])) < limit:
             raise ValueError(f"k = 1: {name} {number(value)}, {FENG} {elastic[name]}")
-    fast = [measure(("1", "0", "20", "100", "inf", "sls:0.1", "2", speed, "-"), FINE)[0] for speed in ("1e7", "1e9")]
+    fast = [measure(("1", "0", "20", "100", "inf", "sls:0.1", "2", speed, "-", "-", "-"), FINE)[0] for speed in ("1e7", "1e9")]
     if not max(abs(fast[0] - fast[1])[[0, 1, 2, 4, 7]]) < 2e-6:
         raise ValueError(f"the fast limit depends on the speed: {fast[0]}, {fast[1]}")
     for spectrum in "sls", "gamma:0.6", "gamma:1":
@@ -222,6 +263,9 @@ def show(key):
     values, doubt, result = solve(key)
     for name, value, wrong in zip(NAMES, values, doubt):
         print(f"{name:15s} {number(value):20s} uncertainty {bound(wrong)}")
+    if key[9] != "-":
+        print(f"loading and dwell: work {result.loading_work:.9g}, dissipated {result.loading_dissipated:.9g}, lost in jumps "
+              f"{result.loading_loss:.9g}, imbalance {result.loading_imbalance:.1e}")
     print(f"imbalance of energy {result.imbalance:.1e}, steps {result.steps}, nodes {result.nodes}")
     for time, approach, lost in result.jumps:
         print(f"jump at time {time:.8g}, approach {approach:.8g}, energy lost {lost:.6g}")
@@ -236,7 +280,7 @@ def published(path, rows):
         words = f"gamma:{row['k']};{row['n']}", row["alphaload"], str(-float(row["runload"]))
         theirs = 1.5 * float(row["outputAmplification"])
         for outer in "inf", "100":
-            ours = fine((row["mu"], "0", "20", "100", outer, *words, "-"))[0][0]
+            ours = fine((row["mu"], "0", "20", "100", outer, *words, "-", "-", "-"))[0][0]
             print(f"row {index}, tabor {row['mu']}, {' '.join(words)}, outer radius {outer}: force {ours:.7g}, theirs "
                   f"{theirs:.7g}, {100.0 * (theirs / ours - 1.0):+.3f} %", flush=True)
 

@@ -101,6 +101,59 @@ def test_si_units_are_converted():
     assert si["physical"]["unloading"]["end"]["energies"]["work_j"] == pytest.approx(unit * 3e-10 * work, rel=1e-12)
 
 
+LOADED = "solve --tabor 0.5 --preload 3 --viscoelastic sls:0.1 --unload-speed 2 --load-speed 4 --dwell 0.5 --tolerance 1e-4"
+
+
+def test_loading_and_dwell_come_before_unloading(tmp_path):
+    path = tmp_path / "history.csv"
+    found = document(f"{LOADED} --want history --history {path}")
+    assert found["input"]["load_speed"] == 4.0 and found["input"]["dwell"] == 0.5
+    loading, rows = found["unloading"]["loading"], table_of(path)
+    times = [float(row["time"]) for row in rows]
+    assert times == sorted(times) and times[0] == loading["start"]["time"] == pytest.approx(-0.5 - 13.0 / 4.0, rel=1e-9)
+    dwell = [row for row, time in zip(rows, times) if -0.5 <= time <= 0.0]
+    assert all(float(row["approach"]) == pytest.approx(3.0, abs=1e-8) for row in dwell)
+    assert float(dwell[0]["load"]) > float(dwell[-1]["load"]) == found["unloading"]["begin"]["load"]
+    assert len(rows) == found["unloading"]["steps"]
+    printed = expect(0, "", LOADED).out
+    assert "loaded   at speed 4 epsilon/tau_0 from approach -10, with 0 jumps of the contact; then held for 0.5 tau_0" in printed
+    assert "loading" not in document("solve --tabor 0.5 --preload 3 --viscoelastic sls:0.1 --unload-speed 2 --tolerance 1e-4")["unloading"]
+
+
+def test_theories_of_a_body_that_is_not_relaxed_are_undecided():
+    scene = "solve --tabor 6 --preload 3 --viscoelastic sls:0.5 --unload-speed 0.05 --tolerance 1e-3 --want theories"
+    for words, expected in ("", "yes"), ("--load-speed 1 --dwell 1", "unknown"):
+        rows = document(f"{scene} {words}")["theories"]
+        assert next(row["assumptions"] for row in rows if row["theory"] == "persson-brener") == expected
+
+
+def test_a_body_on_a_long_dwell_needs_more_force():
+    """The force grows with the dwell, from that without to that of the relaxed contact."""
+    scene = "solve --tabor 1 --preload-load 0.5 --viscoelastic sls:0.1 --unload-speed 10 --tolerance 1e-4"
+    forces = [document(f"{scene} --load-speed 10 --dwell {dwell}")["pull_off"]["force"] for dwell in ("0", "0.3", "3", "inf")]
+    forces.append(document(scene)["pull_off"]["force"])
+    assert forces[:4] == sorted(forces[:4]) and forces[0] < 0.5 * forces[3]
+    assert forces[3] == pytest.approx(forces[4], rel=1e-4)
+
+
+def test_speed_of_loading_and_dwell_have_si_units():
+    scene = "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8 --preload-m 6e-10 --viscoelastic sls:0.2"
+    times = "--relaxation-time-s 1e-3 --unload-speed-m-per-s 6e-7 --load-speed-m-per-s 3e-7 --dwell-s 2e-3"
+    si = document(f"solve {scene} {times} --tolerance 1e-4")
+    assert si["input"]["load_speed"] == pytest.approx(1.0, rel=1e-14) and si["input"]["dwell"] == pytest.approx(2.0, rel=1e-14)
+    expect(2, "*--dwell is 2: expected --dwell-s, as the scene is in SI units", f"solve {scene} {times.replace('--dwell-s 2e-3', '--dwell 2')}")
+
+
+@pytest.mark.parametrize("words, message", [
+    ("--load-speed 1", "*--load-speed is 1: expected it beside viscoelastic"),
+    ("--dwell 1", "*--dwell is 1: expected it beside viscoelastic"),
+    (f"{SOLID} 1 --load-speed -1", "*--load-speed is -1: expected *"),
+    (f"{SOLID} 1 --dwell nan", "*--dwell is nan: expected *"),
+])
+def test_loading_is_refused(words, message):
+    expect(2, message, f"solve --tabor 1 {words}")
+
+
 def test_the_preload_may_be_a_load():
     by_load = document(f"solve --tabor 1 --preload-load 2 {SOLID} 1")
     begin = by_load["unloading"]["begin"]
@@ -317,5 +370,5 @@ def test_messages_of_si_units():
     scene = "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8 --viscoelastic sls:0.2"
     expect(2, "*--relaxation-time-s is missing: expected a finite number > 0, as the speed is in m/s",
            f"solve {scene} --unload-speed-m-per-s 1e-6")
-    expect(2, "*--relaxation-time-s is 1: expected it beside a speed in m/s",
+    expect(2, "*--relaxation-time-s is 1: expected it beside a speed in m/s or a time in s",
            f"solve {scene} --relaxation-time-s 1")

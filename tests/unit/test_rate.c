@@ -212,3 +212,109 @@ TEST(work_until_approach_0_is_that_of_the_independent_solver) {
   ck_assert_double_eq_tol(a->dissipated + part * (b->dissipated - a->dissipated), 6.5210, 2e-4);
   po_result_clear(&result);
 }
+
+static po_request loaded_at(po_request request, double load_speed, double dwell) {
+  request.load_speed = load_speed;
+  request.dwell = dwell;
+  return request;
+}
+
+static void same_force(const po_request *first, const po_request *second, double within) {
+  po_result a = solved(first), b = solved(second);
+  ck_assert_double_le(fabs(a.pull_off.force - b.pull_off.force), within * b.pull_off.force);
+  po_result_clear(&a);
+  po_result_clear(&b);
+}
+
+TEST(slow_loading_is_the_default) {
+  const po_request plain = rate_of(1.0, 0.0, 5.0, SOLID, 1.0);
+  const po_request slow = loaded_at(plain, 0.0, INFINITY), held = loaded_at(plain, 0.0, 3.0);
+  same_force(&slow, &plain, 0.0);
+  same_force(&held, &plain, 0.0);
+}
+
+/* Loaded and unloaded at once, without a dwell, the body is elastic, with the glassy modulus. */
+LOOP_TEST(at_once_the_loop_is_that_of_the_glassy_body, 0, 3) {
+  static const double LOADED[][3] = {{0.1, 0.0, 2.0}, {1.0, 0.0, 5.0}, {3.0, 1.0, 4.0}};
+  const double *s = LOADED[_i];
+  const po_request glassy = rate_of(s[0] * pow(SOLID.ratio, 2.0 / 3.0), s[1], s[2], ELASTIC, NAN);
+  const po_request fast = loaded_at(rate_of(s[0], s[1], s[2], SOLID, INFINITY), INFINITY, 0.0);
+  po_result a = solved(&glassy), b = solved(&fast);
+  ck_assert_double_eq_tol(b.pull_off.force, a.pull_off.force, 1e-6 * a.pull_off.force);
+  ck_assert_double_eq_tol(b.rate.loading.start.energy.dissipated, 0.0,
+                          b.rate.loading.error.dissipated);
+  ck_assert_double_eq_tol(b.rate.end.energy.dissipated, 0.0, b.rate.end_error.dissipated);
+  po_result_clear(&a);
+  po_result_clear(&b);
+}
+
+/* After a long dwell the contact is relaxed: at the approach, also through a spring, or the load
+ * of the preload. The same after slow loading. */
+LOOP_TEST(a_long_dwell_ends_at_the_relaxed_contact, 0, 3) {
+  po_request relaxed = rate_of(1.0, 0.0, 3.0, (po_creep){PO_CREEP_GAMMA, 0.1, 0.6}, 2.0);
+  if (_i == 1)
+    relaxed.stiffness = 0.5;
+  if (_i == 2)
+    relaxed.preload = (po_preload){NAN, 2.0};
+  const double speeds[] = {3.0, 30.0, INFINITY};
+  for (int k = 0; k < 2; ++k) {
+    const po_request loaded = loaded_at(relaxed, speeds[_i], k ? INFINITY : 200.0);
+    po_result a = solved(&relaxed), b = solved(&loaded);
+    ck_assert_double_eq_tol(b.rate.begin.approach, a.rate.begin.approach, 1e-5);
+    ck_assert_double_eq_tol(b.rate.begin.load, a.rate.begin.load, 1e-5);
+    /* a jump from the spring is not extrapolated */
+    const double within = _i == 1 ? a.pull_off.force_error + b.pull_off.force_error : 2e-6;
+    ck_assert_double_lt(within, 2e-4);
+    ck_assert_double_le(fabs(b.pull_off.force - a.pull_off.force), within);
+    ck_assert_double_lt(b.rate.loading.start.energy.dissipated, -0.1);
+    po_result_clear(&a);
+    po_result_clear(&b);
+  }
+  const po_request slow = loaded_at(relaxed, 1e-6, 0.0);
+  same_force(&slow, &relaxed, _i == 1 ? 5e-5 : 2e-6);
+}
+
+/* The states of loading and dwell come before unloading; the balance holds from the first one. */
+LOOP_TEST(energy_is_balanced_from_the_begin_of_loading, 0, 2) {
+  po_request request = _i == 0 ? rate_of(1.0, 0.0, 3.0, SOLID, 2.0)
+                               : rate_of(3.0, 1.0, 8.0, (po_creep){PO_CREEP_GAMMA, 0.1, 1.4}, 30.0);
+  if (_i == 0)
+    request.stiffness = 0.3;
+  request = loaded_at(request, 5.0, 0.5);
+  request.want |= PO_WANT_HISTORY;
+  po_result result = solved(&request);
+  const po_rate_point *p = result.rate.history;
+  ck_assert_uint_eq(result.rate.history_count, result.rate.steps);
+  ck_assert_double_lt(p->time, -0.5);
+  ck_assert_double_eq_tol(p->energy.work, result.rate.loading.start.energy.work,
+                          result.rate.loading.error.work);
+  for (size_t k = 1; k < result.rate.history_count; ++k) {
+    const po_rate_energy *e = &p[k].energy, *first = &p->energy;
+    const double change =
+        e->stored + e->adhesive + e->spring - first->stored - first->adhesive - first->spring;
+    ck_assert_double_eq_tol(e->work - first->work,
+                            change + e->dissipated + e->jumps - first->dissipated - first->jumps,
+                            1e-3);
+    ck_assert_double_ge(e->dissipated, p[k - 1].energy.dissipated - 1e-9);
+    ck_assert_double_ge(e->jumps, p[k - 1].energy.jumps - 1e-9);
+    ck_assert_double_ge(p[k].time, p[k - 1].time);
+    if (p[k].time <= -0.5)
+      ck_assert_double_ge(p[k].base, p[k - 1].base);
+    else if (p[k].time <= 0.0)
+      ck_assert_double_eq_tol(p[k].approach, request.preload.approach, 1e-8);
+  }
+  ck_assert_uint_ge(result.rate.loading.jumps, 1);
+  po_result_clear(&result);
+}
+
+/* Values of the independent solver of reference/make/unloading.py, to its digits: loaded at speed 1
+ * from approach -10 to 5. */
+TEST(work_of_loading_is_that_of_the_independent_solver) {
+  const po_request request = loaded_at(rate_of(1.0, 0.0, 5.0, SOLID, 1.0), 1.0, 0.0);
+  po_result result = solved(&request);
+  const po_rate_loading *l = &result.rate.loading;
+  ck_assert_double_eq_tol(-l->start.energy.work, 7.0847373, 1e-4);
+  ck_assert_double_eq_tol(-l->start.energy.dissipated, 7.2749419, 2e-5);
+  ck_assert_double_eq_tol(l->start.time, -15.0, 1e-9);
+  po_result_clear(&result);
+}

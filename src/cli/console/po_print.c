@@ -327,6 +327,23 @@ static void print_theories(const po_result *result) {
     printf("; pulloff compare says more\n");
 }
 
+/* The lines of a viscoelastic body that is loaded at a speed. */
+static void print_loading(const po_request *request, const po_rate_loading *l) {
+  if (!l->is_known)
+    return;
+  const po_rate_energy *start = &l->start.energy, *error = &l->error;
+  char dwell[PO_NUMBER_LENGTH];
+  printf("loaded   at speed %g epsilon/tau_0 from approach %.8g, with %zu %s of the contact; then "
+         "held for %s tau_0\n",
+         request->load_speed, l->start.approach, l->jumps,
+         po_one_or_more(l->jumps, "jump", "jumps"),
+         po_number_or("%.8g", request->dwell, "infinitely many", dwell));
+  printf("         work %.8g +- %.1e, dissipated %.8g +- %.1e, in jumps %.8g +- %.1e, in %s "
+         "epsilon\n",
+         0.0 - start->work, error->work, 0.0 - start->dissipated, error->dissipated,
+         0.0 - start->jumps, error->jumps, po_input_load_unit(request));
+}
+
 /* The lines of a viscoelastic body. */
 static void print_unloading(const po_request *request, const po_result *o) {
   const po_rate *r = &o->rate;
@@ -334,6 +351,7 @@ static void print_unloading(const po_request *request, const po_result *o) {
     return;
   const po_rate_energy *end = &r->end.energy, *begin = &r->begin.energy, *error = &r->end_error;
   char time[PO_NUMBER_LENGTH];
+  print_loading(request, &r->loading);
   printf(
       "unloaded at speed %g epsilon/tau_0 from approach %.8g, load %.8g; pull-off after %s tau_0, "
       "with %zu %s of the contact in all\n",

@@ -48,6 +48,9 @@ static po_status record(po_march *m, const po_rate_point *point, bool jumped) {
     return PO_NO_MEMORY;
   m->records = grown;
   grown[m->count++] = (po_march_record){*point, jumped, m->held.length};
+  if (m->count > MOST_RECORDS)
+    return po_fail(PO_TOO_MANY_POINTS, "more than %d steps, the last at approach %.6g, load %.6g",
+                   MOST_RECORDS, point->approach, point->load * po_scene_load_unit(m->e->scene));
   return PO_OK;
 }
 
@@ -64,8 +67,9 @@ static void accept(po_march *m) {
   m->is_here = false;
 }
 
-/* The relaxed equilibrium at the base of `start`, on a mesh for the errors of this march, and its
- * fields: U_m = (1 - k) w_m Q. */
+/* The equilibrium at the base of `start`, on a mesh for the errors of this march, and its fields:
+ * that of the relaxed body, U_m = (1 - k) w_m Q; of a body that will be loaded, that before any
+ * creep, U_m = 0. */
 static po_status begin(po_march *m, const po_solution *start) {
   po_equilibrium *e = m->e;
   po_status status = po_surface_mesh(e->surface, start->panels);
@@ -88,38 +92,38 @@ static po_status begin(po_march *m, const po_solution *start) {
   if (status)
     return status;
   po_march_bring(m);
-  /* the motion of a jump with part 1 at speed 0 is the relaxed equilibrium */
-  const double speed = m->options.speed;
-  m->options.speed = 0.0;
-  const po_march_scene relaxed = {.factor = 1.0, .relaxing = true, .part = 1.0};
-  status = po_march_solve(m, &relaxed);
-  m->options.speed = speed;
+  po_march_state *s = &m->next;
+  const po_creep_terms *t = m->options.terms;
+  const bool loads = !isnan(m->options.load_speed);
+  /* the motion of a jump with part 1 is the equilibrium: at speed 0, the relaxed one */
+  m->speed = loads ? INFINITY : 0.0;
+  const po_march_scene scene = {.factor = loads ? t->instant : 1.0, .relaxing = true, .part = 1.0};
+  status = po_march_solve(m, &scene);
   if (status == PO_NOT_CONVERGED)
-    return po_fail(status, "no relaxed equilibrium was found at the preload, approach %.6g",
+    return po_fail(status, "no equilibrium was found at the start, approach %.6g",
                    po_solution_approach(start));
   if (status)
     return status;
-  po_march_state *s = &m->next;
-  const po_creep_terms *t = m->options.terms;
+  const double crept = loads ? 0.0 : 1.0;
   double sum = 0.0;
   for (size_t j = 0; j < s->n; ++j) {
     for (size_t k = PO_OF_RATE; k < PO_OF_INSTANT; ++k)
       po_march_field(s, k)[j] = 0.0;
-    const double instant = po_march_field(s, PO_OF_DEFLECTION)[j] + m->solved[s->n];
+    const double instant =
+        (po_march_field(s, PO_OF_DEFLECTION)[j] + m->solved[s->n]) / scene.factor;
     po_march_field(s, PO_OF_INSTANT)[j] = instant;
     for (size_t k = 0; k < t->count; ++k)
-      po_march_field(s, PO_OF_CREEP + k)[j] = t->term[k].weight * instant;
-    sum += e->surface->weight[j] * m->traction[j] * instant;
+      po_march_field(s, PO_OF_CREEP + k)[j] = crept * t->term[k].weight * instant;
+    sum += crept * e->surface->weight[j] * m->traction[j] * instant;
   }
   for (size_t k = 0; k < t->count; ++k)
     s->square[k] = t->term[k].weight * t->term[k].weight * 2.0 / e->radius * sum;
   s->length = 0.0;
-  s->point.time = speed > 0.0 && isfinite(speed) ? 0.0 : (double)NAN;
+  s->point.time = 0.0;
   po_march_measure(m);
   accept(m);
-  m->cap = FIRST_LENGTH;
   e->factorized = false; /* a stable state decides on the sign of the determinant */
-  return record(m, &m->held.point, false);
+  return PO_OK;
 }
 
 po_status po_march_create(po_equilibrium *e, po_allowance allowed, const po_solution *start,
@@ -150,9 +154,10 @@ void po_march_destroy(po_march *m) {
   free(m);
 }
 
-/* The length of the step of another march that contains a position of the base. */
-static double length_like(const po_march *like, double moved) {
-  size_t low = 0, high = like->count - 1; /* the first record beyond is in (low, high] */
+/* The length of the step of another march that contains a position of the base in a phase. */
+static double length_like(const po_march *like, po_march_phase phase, double moved) {
+  size_t low = like->first[phase]; /* the first record beyond is in (low, high] */
+  size_t high = (phase < PO_UNLOADING ? like->first[phase + 1] : like->count) - 1;
   while (high - low > 1) {
     const size_t middle = (low + high) / 2;
     if (like->records[middle].point.moved > moved * (1.0 + 1e-12))
@@ -169,8 +174,8 @@ static double next_length(const po_march *m) {
   const double moved = m->held.point.moved;
   double length = m->cap;
   if (like)
-    length = fmin(length, length_like(like, moved) / m->options.halving);
-  return isnan(m->options.end) ? length : fmin(length, m->options.end - moved);
+    length = fmin(length, length_like(like, m->phase, moved) / m->options.halving);
+  return isnan(m->end) ? length : fmin(length, m->end - moved);
 }
 
 /* -- The greatest tension -- */
@@ -251,7 +256,7 @@ static po_status find_peak(po_march *m, const po_rate_point *before, const po_ra
   if (!isnan(m->options.stiffness))
     m->peak.at.approach -= value / m->options.stiffness;
   m->peak.at.moved = at;
-  m->peak.at.time = isnan(best.time) ? best.time : at / m->options.speed;
+  m->peak.at.time = isnan(best.time) ? best.time : at / m->speed;
   m->peak.at.load = value;
   return PO_OK;
 }
@@ -265,13 +270,16 @@ static void note_peak(po_march *m, const po_rate_point *point) {
 /* Looks for the greatest tension about the last accepted state, once the next one is known. */
 static po_status watch_peak(po_march *m, bool jumped) {
   const po_march_record *last = m->records + m->count - 1;
+  if (m->phase != PO_UNLOADING)
+    return PO_OK;
   if (jumped) {
     note_peak(m, &last->point);
     return PO_OK;
   }
   const po_rate_point before = m->before.point, middle = m->held.point, after = m->next.point;
-  if (m->count < 2 || last->jumped || !(middle.load < 0.0) || !(middle.load <= before.load) ||
-      !(middle.load < after.load) || (m->peak.found && middle.load > m->peak.at.load))
+  if (m->count - m->first[m->phase] < 2 || last->jumped || !(middle.load < 0.0) ||
+      !(middle.load <= before.load) || !(middle.load < after.load) ||
+      (m->peak.found && middle.load > m->peak.at.load))
     return PO_OK;
   exchange(&m->next, &m->after);
   const po_status status = find_peak(m, &before, &middle, &after);
@@ -283,7 +291,7 @@ static po_status watch_peak(po_march *m, bool jumped) {
 
 /* Whether a step is one of the glassy body, for which the creep is frozen. */
 static bool is_glassy(const po_march *m, const po_march_scene *scene) {
-  const double least = m->options.speed > 0.0 ? m->options.terms->instant : 1.0;
+  const double least = m->speed > 0.0 ? m->options.terms->instant : 1.0;
   return scene->factor < (1.0 + GLASSY) * least;
 }
 
@@ -315,12 +323,14 @@ static po_status advance(po_march *m, double *length) {
 }
 
 /* A jump changes the load, relative to 1 + its modulus, or the contact radius, relative to 1 + the
- * radius, by more than this. Where both change less, the fold was not passed yet, and the base is
+ * radius, by more than this; at a held load the approach, eps. Where all
+ * change less, the fold was not passed yet, and the base is
  * moved by more, at most by LONGEST_MOVE, eps. */
 static const double LEAST_JUMP = 0.01, MORE = 4.0, LONGEST_MOVE = 1e-3;
 
-static bool is_jump(const po_rate_point *before, const po_rate_point *after) {
-  return fabs(after->load - before->load) > LEAST_JUMP * (1.0 + fabs(before->load)) ||
+static bool is_jump(const po_march *m, const po_rate_point *before, const po_rate_point *after) {
+  return (m->holds == PO_HOLD_LOAD && fabs(after->approach - before->approach) > LEAST_JUMP) ||
+         fabs(after->load - before->load) > LEAST_JUMP * (1.0 + fabs(before->load)) ||
          fabs(after->contact_radius - before->contact_radius) >
              LEAST_JUMP * (1.0 + before->contact_radius);
 }
@@ -335,7 +345,7 @@ static po_status step(po_march *m, bool *jumped) {
   const po_rate_point before = m->held.point;
   for (;; length *= MORE) {
     status = po_march_jump(m, length);
-    *jumped = !status && is_jump(&before, &m->next.point);
+    *jumped = !status && is_jump(m, &before, &m->next.point);
     if (status || *jumped || length > LONGEST_MOVE)
       break;
     exchange(&m->held, &m->next);
@@ -347,11 +357,61 @@ static po_status step(po_march *m, bool *jumped) {
   return status;
 }
 
-po_status po_march_run(po_march *m) {
-  bool ended = false;
+/* By how much a state is beyond the preload: >= 0 if its approach or its load is reached. */
+static double beyond_preload(const po_march *m, const po_rate_point *p) {
+  return fmax(p->approach - m->options.approach, p->load - m->options.load);
+}
+
+/* Distance from the preload, relative to 1 + the preload, at which loading ends; where the mesh
+ * changes in the search, the load is discontinuous by as much as its error, and a limited number of
+ * steps leaves that. A preload within NEAR_PRELOAD is held at its given value. */
+static const double AT_PRELOAD = 1e-9, NEAR_PRELOAD = 1e-3;
+enum { PRELOAD_STEPS = 12 };
+
+/* Ends the step from `held` to m->next, which leads beyond the preload, at the preload, by the
+ * Illinois method on its length. */
+static po_status end_at_preload(po_march *m) {
+  double low = 0.0, high = m->next.length;
+  double below = beyond_preload(m, &m->held.point), beyond = beyond_preload(m, &m->next.point);
+  const double scale = 1.0 + fmin(fabs(m->options.approach), fabs(m->options.load));
+  int side = 0; /* of the last length that was tried */
+  for (int k = 0; k < PRELOAD_STEPS && beyond > AT_PRELOAD * scale; ++k) {
+    const double h = low + (high - low) * below / (below - beyond);
+    po_march_bring(m);
+    const po_march_scene scene = po_march_scene_of(m, h);
+    const po_status status = po_march_solve(m, &scene);
+    if (status)
+      return status == PO_NOT_CONVERGED
+                 ? po_fail(status, "the preload was not found: loading ended at approach %.6g",
+                           m->held.point.approach)
+                 : status;
+    po_march_misfit(m);
+    po_march_finish(m, &scene);
+    const double now = beyond_preload(m, &m->next.point);
+    if (fabs(now) <= AT_PRELOAD * scale)
+      break;
+    if (now > 0.0) {
+      high = h, beyond = now;
+      below *= side > 0 ? 0.5 : 1.0;
+    } else {
+      low = h, below = now;
+      beyond *= side < 0 ? 0.5 : 1.0;
+    }
+    side = now > 0.0 ? 1 : -1;
+  }
+  return PO_OK;
+}
+
+/* Steps until the phase ends: at its end, at the preload, or by the visitor. */
+static po_status run_phase(po_march *m) {
+  const bool loads = m->phase == PO_LOADING;
+  bool ended = loads && beyond_preload(m, &m->held.point) >= 0.0;
   while (!ended) {
     bool jumped;
     po_status status = step(m, &jumped);
+    const bool reached = !status && loads && beyond_preload(m, &m->next.point) >= 0.0;
+    if (reached && !jumped) /* a jump cannot be ended */
+      status = end_at_preload(m);
     if (!status)
       status = watch_peak(m, jumped);
     if (status)
@@ -360,28 +420,84 @@ po_status po_march_run(po_march *m) {
     status = record(m, &m->held.point, jumped);
     if (status)
       return status;
-    if (m->count > MOST_RECORDS)
-      return po_fail(PO_TOO_MANY_POINTS, "more than %d steps, the last at approach %.6g, load %.6g",
-                     MOST_RECORDS, m->held.point.approach,
-                     m->held.point.load * po_scene_load_unit(m->e->scene));
-    ended = m->options.visit(&m->held.point, jumped, m->options.data) ||
-            m->held.point.moved >= m->options.end * (1.0 - AT_END);
+    ended = m->options.visit(&m->held.point, m->phase, m->options.data) || reached ||
+            m->held.point.moved >= m->end * (1.0 - AT_END);
   }
   return PO_OK;
+}
+
+/* Starts a phase at the state `held`. */
+static po_status start_phase(po_march *m, po_march_phase phase, double direction, double speed,
+                             double end) {
+  po_march_state *s = &m->held;
+  m->phase = phase;
+  m->direction = direction;
+  m->speed = speed;
+  m->end = end;
+  m->cap = FIRST_LENGTH;
+  m->first[phase] = m->count;
+  m->is_here = false;
+  s->point.moved = s->length = 0.0;
+  memset(po_march_field(s, PO_OF_RATE), 0, (PO_OF_INSTANT - PO_OF_RATE) * s->n * sizeof(double));
+  return record(m, &s->point, false);
+}
+
+/* What dwells holds what was reached of the preload. Steps are in the shortest time. */
+static po_status dwell(po_march *m) {
+  const double speed = 1.0 / m->options.terms->term[0].time;
+  po_status status = start_phase(m, PO_DWELLING, 0.0, speed, m->options.dwell * speed);
+  if (status || m->options.dwell == 0.0)
+    return status;
+  const po_march_options *o = &m->options;
+  const po_rate_point *p = &m->held.point;
+  const bool by_load = p->load - o->load >= p->approach - o->approach;
+  const double now = by_load ? p->load : p->approach, given = by_load ? o->load : o->approach;
+  m->holds = by_load ? PO_HOLD_LOAD : PO_HOLD_APPROACH;
+  m->held_value = fabs(now - given) < NEAR_PRELOAD * (1.0 + fabs(given)) ? given : now;
+  m->orientation = 0;
+  m->e->factorized = false;
+  status = run_phase(m);
+  m->holds = PO_HOLD_BASE;
+  m->orientation = 0;
+  m->e->factorized = false;
+  return status;
+}
+
+static po_status load_and_dwell(po_march *m) {
+  po_status status = start_phase(m, PO_LOADING, -1.0, m->options.load_speed, NAN);
+  if (!status)
+    m->options.visit(&m->held.point, PO_LOADING, m->options.data);
+  if (!status)
+    status = run_phase(m);
+  if (!status)
+    status = dwell(m);
+  m->loading_jumps = m->jumps;
+  return status;
+}
+
+po_status po_march_run(po_march *m) {
+  po_status status = isnan(m->options.load_speed) ? PO_OK : load_and_dwell(m);
+  if (status)
+    return status;
+  const double speed = m->options.speed;
+  po_rate_point *p = &m->held.point;
+  p->time = speed > 0.0 && isfinite(speed) ? 0.0 : (double)NAN;
+  p->energy.work = p->energy.dissipated = p->energy.jumps = 0.0;
+  status = start_phase(m, PO_UNLOADING, 1.0, speed, m->options.end);
+  if (!status)
+    m->options.visit(p, PO_UNLOADING, m->options.data);
+  return status ? status : run_phase(m);
 }
 
 po_march_peak po_march_greatest_tension(const po_march *m) {
   return m->peak;
 }
 
-po_rate_point po_march_begin(const po_march *m) {
-  return m->records[0].point;
-}
-
 size_t po_march_steps(const po_march *m) {
-  return m->count;
+  /* the states at which dwell and unloading begin have two records */
+  return isnan(m->options.load_speed) ? m->count : m->count - 2;
 }
 
-size_t po_march_jumps(const po_march *m) {
-  return m->jumps;
+size_t po_march_jumps(const po_march *m, bool unloading) {
+  return unloading ? m->jumps - m->loading_jumps : m->loading_jumps;
 }

@@ -24,37 +24,50 @@
 
 typedef struct po_march po_march;
 
-/* Receives the accepted states in order. Given: whether the state is one after a jump. Returned:
- * true to end the march. */
-typedef bool (*po_march_visit)(const po_rate_point *point, bool jumped, void *data);
+typedef enum {
+  PO_LOADING,   /* the base is moved to the preload */
+  PO_DWELLING,  /* what was reached of the preload, the approach or the load, is held */
+  PO_UNLOADING, /* the base is moved back */
+  PO_MARCH_PHASES
+} po_march_phase;
+
+/* Receives the first state and the accepted ones in order. A state at which unloading begins comes
+ * twice if there was loading, the second time as that of unloading: its time, and work and losses,
+ * begin anew. Returned: true to end unloading, or any phase if the march is to end. */
+typedef bool (*po_march_visit)(const po_rate_point *point, po_march_phase phase, void *data);
 
 typedef struct {
   const po_creep_terms *terms;
-  double speed;     /* of the base, eps/tau_0; 0 and INFINITY are the elastic limits */
-  double stiffness; /* of a spring, pi w R/eps; NAN: none */
-  double base;      /* where the base starts, eps */
+  double speed;          /* of unloading, eps/tau_0; 0 and INFINITY are the elastic limits */
+  double load_speed;     /* of loading, > 0; NAN: the march starts at the preload */
+  double dwell;          /* duration of the dwell after loading, tau_0, finite */
+  double approach, load; /* the preload at which loading ends, whichever is reached first, eps and
+                            pi w R; INFINITY: none of them */
+  double stiffness;      /* of a spring, pi w R/eps; NAN: none */
+  double base;           /* where the base starts, eps */
   double misfit;  /* the change of the traction in a step against a linear one, see po_march.c, that
                      decides on its length */
   double halving; /* the steps are so many times shorter than `misfit` says: 1 or 2 */
   const struct po_march
       *like;  /* the steps are as long as those of this march, over `halving`; NULL */
-  double end; /* by how much the base is moved, eps; NAN: until the visitor ends the march */
+  double end; /* by how much unloading moves the base, eps; NAN: until the visitor ends it */
   po_march_visit visit;
   void *data;
 } po_march_options;
 
 /* Given: an equilibrium on panels, which the march meshes anew; the errors that the panels may
- * leave; the relaxed equilibrium at which the march starts. They and the data of the options must
+ * leave; the relaxed equilibrium at which the march starts, of loading
+ * before any creep. They and the data of the options must
  * outlive the march. Status: PO_NO_MEMORY; those of po_march_run. */
 po_status po_march_create(po_equilibrium *e, po_allowance allowed, const po_solution *start,
                           const po_march_options *options, po_march **march);
 void po_march_destroy(po_march *march);
 
-/* Moves the base back until the visitor ends the march. Status: PO_STEP_TOO_SMALL if a jump leads
- * nowhere; PO_TOO_MANY_POINTS, PO_OUT_OF_NODES; those of po_deadline_check. */
+/* Loads, dwells and unloads until the visitor ends the march. Status: PO_STEP_TOO_SMALL if a jump
+ * leads nowhere; PO_TOO_MANY_POINTS, PO_OUT_OF_NODES; those of po_deadline_check. */
 po_status po_march_run(po_march *march);
 
-/* The state of greatest tension of the march. Given: a march that has run. */
+/* The state of greatest tension of unloading. Given: a march that has run. */
 typedef struct {
   po_rate_point at;
   bool found;   /* false: the tension is greatest at the last state */
@@ -65,10 +78,9 @@ typedef struct {
 } po_march_peak;
 po_march_peak po_march_greatest_tension(const po_march *march);
 
-/* The first state. */
-po_rate_point po_march_begin(const po_march *march);
-
 size_t po_march_steps(const po_march *march);
-size_t po_march_jumps(const po_march *march);
+
+/* The number of jumps of the contact while loading and in the dwell, or while unloading. */
+size_t po_march_jumps(const po_march *march, bool unloading);
 
 #endif

@@ -55,15 +55,15 @@ static void move_on(po_march *m) {
   m->is_here = false;
 }
 
-/* Completes the state after the last step of the motion. Given: the energy before. */
-static void arrive(po_march *m, const po_march_scene *scene, double energy, double load,
-                   double length) {
+/* Completes the state after the last step of the motion. Given: the energy and the state before. */
+static void arrive(po_march *m, const po_march_scene *scene, double energy,
+                   const po_rate_point *before, double length) {
   po_rate_point *p = &m->next.point;
   double *now = po_march_field(&m->next, PO_OF_INSTANT);
   for (size_t j = 0; j < m->e->n; ++j)
     now[j] = (po_march_field(&m->next, PO_OF_DEFLECTION)[j] + m->solved[m->e->n] - m->creep[j]) /
              scene->factor;
-  if (m->options.speed == 0.0) /* the relaxed body: the creep is complete */
+  if (m->speed == 0.0) /* the relaxed body: the creep is complete */
     for (size_t k = 0; k < m->options.terms->count; ++k) {
       const double c = m->options.terms->term[k].weight;
       double sum = 0.0;
@@ -74,16 +74,22 @@ static void arrive(po_march *m, const po_march_scene *scene, double energy, doub
       m->next.square[k] = c * c * 2.0 / m->e->radius * sum;
     }
   po_march_measure(m);
-  const double worked = -0.5 * length * (load + p->load);
+  const double worked = po_march_work(m, before, length);
   const po_rate_energy *e = &p->energy;
   p->energy.work += worked;
   p->energy.jumps += energy + worked - (e->stored + e->adhesive + e->spring);
 }
 
 po_status po_march_jump(po_march *m, double length) {
-  const po_rate_energy *e = &m->held.point.energy;
-  const double energy = e->stored + e->adhesive + e->spring, load = m->held.point.load;
-  const double instant = m->options.speed > 0.0 ? m->options.terms->instant : 1.0;
+  const po_rate_point before = m->held.point;
+  const po_rate_energy *e = &before.energy;
+  double energy = e->stored + e->adhesive + e->spring;
+  if (m->phase == PO_DWELLING) { /* the base stays: the creep leads beyond the fold */
+    const double lost = po_march_creep(m, length);
+    m->held.point.energy.dissipated += lost;
+    energy -= lost;
+  }
+  const double instant = m->speed > 0.0 ? m->options.terms->instant : 1.0;
   double x = FIRST, left = length;
   for (int step = 0; step < MOST_STEPS && x > LEAST; ++step) {
     const bool last = x > LONG;
@@ -112,7 +118,7 @@ po_status po_march_jump(po_march *m, double length) {
       for (size_t k = 0; k < PO_MOST_CREEP_TERMS; ++k)
         m->next.square[k] = m->here.square[k];
       m->next.length = 0.0;
-      arrive(m, &scene, energy, load, length);
+      arrive(m, &scene, energy, &before, length);
       return PO_OK;
     }
     x *= GROWTH;

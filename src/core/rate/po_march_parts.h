@@ -33,7 +33,8 @@ typedef struct {
 
 /* What is solved: an equilibrium at a position of the base, with the coupling times `factor`. */
 typedef struct {
-  double length; /* of the step of the base, eps */
+  double length; /* of the step, eps; of the dwell, where the base is not moved, the duration times
+                    the speed of the march */
   double factor; /* effective coupling over that of the relaxed body */
   bool relaxing; /* a step of the motion in a jump, at frozen creep */
   double part;   /* of such a step: theta, see po_march_jump.c */
@@ -45,6 +46,9 @@ typedef struct {
   bool jumped;
   double length; /* of the step that led here */
 } po_march_record;
+
+/* What is held in an equilibrium. */
+typedef enum { PO_HOLD_BASE, PO_HOLD_APPROACH, PO_HOLD_LOAD } po_march_hold;
 
 struct po_march {
   po_equilibrium *e;
@@ -61,11 +65,18 @@ struct po_march {
   double *guess, *solved, *border, *traction, *other; /* n + 1: work */
   double *shape; /* n: H - f of the mesh before, with its panels */
   po_panels *shape_panels;
-  double part;     /* of the load on the spring, see po_march_jump.c */
-  int orientation; /* of a stable state; 0: not known yet */
-  double cap;      /* greatest length of the next step, eps */
+  double part; /* of the load on the spring, see po_march_jump.c */
+  po_march_phase phase;
+  double direction;    /* by which the base moves back in a step, over its length: 1, -1 or 0 */
+  double speed;        /* lengths of steps over their durations, eps/tau_0 */
+  double end;          /* length of the phase; NAN: not given */
+  po_march_hold holds; /* in this phase */
+  double held_value;   /* of what is held, unless it is the base */
+  int orientation;     /* of a stable state; 0: not known yet */
+  double cap;          /* greatest length of the next step, eps */
   po_march_record *records;
-  size_t count, room, jumps;
+  size_t count, room, first[PO_MARCH_PHASES]; /* of the records: the first one of each phase */
+  size_t jumps, loading_jumps;                /* in all; before unloading */
   po_march_peak peak;
   po_arena arrays;
 };
@@ -109,6 +120,13 @@ void po_march_finish(po_march *m, const po_march_scene *scene);
 
 /* Energies of interaction and spring of m->next, and its stored energy. */
 void po_march_measure(po_march *m);
+
+/* The work of the base over a step of a given length from the state `from` to m->next. */
+double po_march_work(const po_march *m, const po_rate_point *from, double length);
+
+/* Lets `held` creep at its traction for a step of a given length. Returned: the energy dissipated.
+ */
+double po_march_creep(po_march *m, double length);
 
 /* -- po_march_jump.c -- */
 

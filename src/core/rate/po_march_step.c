@@ -32,7 +32,7 @@ po_march_scene po_march_scene_of(const po_march *m, double length) {
   const po_creep_terms *t = m->options.terms;
   po_march_scene scene = {.length = length, .factor = t->instant};
   for (size_t k = 0; k < t->count; ++k) {
-    scene.step[k] = creep_step(length / m->options.speed / t->term[k].time);
+    scene.step[k] = creep_step(length / m->speed / t->term[k].time);
     scene.factor += t->term[k].weight * scene.step[k].b;
   }
   return scene;
@@ -42,7 +42,7 @@ po_march_scene po_march_scene_of(const po_march *m, double length) {
 static void add_history(const po_march *m, const po_march_scene *scene, double *creep) {
   const size_t n = m->e->n, terms = m->options.terms->count;
   const double *instant = po_march_field(&m->here, PO_OF_INSTANT);
-  const bool frozen = scene->relaxing && m->options.speed > 0.0;
+  const bool frozen = scene->relaxing && m->speed > 0.0;
   double now = 0.0;
   memset(creep, 0, n * sizeof *creep);
   for (size_t k = 0; k < terms; ++k) {
@@ -61,30 +61,43 @@ static void add_history(const po_march *m, const po_march_scene *scene, double *
     creep[j] += (1.0 - scene->part) * (deflection[j] + m->here.point.approach - creep[j]);
 }
 
-/* approach + load/stiffness: the position of the base; of a step in a jump, with a part of the
- * load. */
-static double base_of(const po_equilibrium *e, const double *state, const void *data) {
+/* Whether what is held depends on the load through a spring. */
+static bool has_spring(const po_march *m) {
+  return m->holds == PO_HOLD_BASE && !isnan(m->options.stiffness);
+}
+
+/* What is held: the approach, the load, or approach + load/stiffness, the position of the base; of
+ * a step in a jump, with a part of the load. */
+static double held_of(const po_equilibrium *e, const double *state, const void *data) {
   const po_march *m = data;
-  return isnan(m->options.stiffness)
-             ? state[e->n]
-             : state[e->n] + m->part * po_equilibrium_load(e) / m->options.stiffness;
+  if (m->holds == PO_HOLD_LOAD)
+    return po_equilibrium_load(e);
+  return !has_spring(m) ? state[e->n]
+                        : state[e->n] + m->part * po_equilibrium_load(e) / m->options.stiffness;
+}
+
+/* The value of what is held after a step that moves the base to `base`. */
+static double held_value(const po_march *m, double base) {
+  return m->holds == PO_HOLD_BASE ? m->part * base + (1.0 - m->part) * m->here.point.approach
+                                  : m->held_value;
 }
 
 static po_status factorize(po_march *m, const double *state) {
   po_equilibrium *e = m->e;
   po_equilibrium_evaluate(e, state);
   for (size_t j = 0; j < e->n; ++j)
-    m->border[j] = isnan(m->options.stiffness) ? 0.0
-                                               : m->part * 2.0 / e->radius * e->surface->weight[j] *
-                                                     e->slope[j] / m->options.stiffness;
-  m->border[e->n] = 1.0;
+    m->border[j] = m->holds == PO_HOLD_LOAD ? 2.0 / e->radius * e->surface->weight[j] * e->slope[j]
+                   : has_spring(m)          ? m->part * 2.0 / e->radius * e->surface->weight[j] *
+                                         e->slope[j] / m->options.stiffness
+                                   : 0.0;
+  m->border[e->n] = m->holds == PO_HOLD_LOAD ? 0.0 : 1.0;
   return po_corrector_factorize(e, state, m->border);
 }
 
 /* Newton's method from the guess, with the present factors or new ones. Returned: m->solved. */
 static po_status newton(po_march *m, double base) {
   po_equilibrium *e = m->e;
-  const po_constraint constraint = {base_of, m, base, INFINITY};
+  const po_constraint constraint = {held_of, m, held_value(m, base), INFINITY};
   po_status status = PO_NOT_CONVERGED;
   for (int fresh = e->factorized ? 0 : 1; status == PO_NOT_CONVERGED && fresh < 2; ++fresh) {
     memcpy(m->solved, m->guess, (e->n + 1) * sizeof *m->solved);
@@ -121,7 +134,7 @@ static void predict(po_march *m, const po_march_scene *scene) {
     /* a guess beyond the pole of the law, or far nearer, is none */
     m->guess[j] = guess > 0.5 * (gap - 1.0) ? guess : gap;
   }
-  m->guess[n] = s->point.approach - scene->length;
+  m->guess[n] = s->point.approach - m->direction * scene->length;
 }
 
 /* Keeps a gap at the nodes of the present mesh, as H - f, for the next mesh. */
@@ -160,7 +173,7 @@ po_status po_march_solve(po_march *m, const po_march_scene *scene) {
   e->coupling = coupling;
   if (!m->is_here)
     po_march_bring(m);
-  const double base = m->here.point.base - scene->length;
+  const double base = m->here.point.base - m->direction * scene->length;
   m->part = scene->relaxing ? scene->part : 1.0;
   pose(m, scene);
   predict(m, scene);
@@ -174,7 +187,7 @@ po_status po_march_solve(po_march *m, const po_march_scene *scene) {
     predict(m, scene);
   }
   for (int meshes = 0;; ++meshes) {
-    status = newton(m, m->part * base + (1.0 - m->part) * m->here.point.approach);
+    status = newton(m, base);
     if (status || meshes == PO_MOST_MESHES_A_POINT || is_resolved(m, m->solved))
       break;
     const size_t n = e->n;
@@ -194,11 +207,17 @@ po_status po_march_solve(po_march *m, const po_march_scene *scene) {
     po_march_field(to, PO_OF_DEFLECTION)[j] = m->solved[j] - m->bare[j];
   to->point = m->here.point;
   to->point.approach = m->solved[e->n];
-  to->point.base = base;
   to->point.load = po_equilibrium_load(e);
+  to->point.base = m->holds == PO_HOLD_BASE ? base
+                   : isnan(m->options.stiffness)
+                       ? to->point.approach
+                       : to->point.approach + to->point.load / m->options.stiffness;
   to->point.moved += scene->length;
-  const double speed = m->options.speed;
-  to->point.time = speed > 0.0 && isfinite(speed) ? to->point.moved / speed : (double)NAN;
+  const double speed = m->speed;
+  if (m->phase == PO_UNLOADING)
+    to->point.time = speed > 0.0 && isfinite(speed) ? to->point.moved / speed : (double)NAN;
+  else
+    to->point.time += scene->length / speed;
   to->point.contact_radius =
       po_march_contact_radius(m, m->solved, po_march_field(to, PO_OF_DEFLECTION));
   memcpy(m->traction, e->traction, e->n * sizeof *m->traction);
@@ -309,6 +328,39 @@ void po_march_finish(po_march *m, const po_march_scene *scene) {
       v[j] = s->e * u[j] + c * (s->a * before[j] + s->b * now[j]);
   }
   to->point.energy.dissipated += lost;
-  to->point.energy.work -= 0.5 * h * (from->point.load + to->point.load);
+  to->point.energy.work += po_march_work(m, &from->point, h);
   po_march_measure(m);
+}
+
+double po_march_work(const po_march *m, const po_rate_point *from, double length) {
+  const po_rate_point *to = &m->next.point;
+  const double moved = m->holds == PO_HOLD_BASE ? -m->direction * length : to->base - from->base;
+  return 0.5 * moved * (from->load + to->load);
+}
+
+double po_march_creep(po_march *m, double length) {
+  const po_creep_terms *t = m->options.terms;
+  const po_march_scene scene = po_march_scene_of(m, length);
+  po_march_bring(m);
+  po_march_state *s = &m->here;
+  const double *instant = po_march_field(s, PO_OF_INSTANT);
+  traction_before(m, m->other);
+  const double pp = product(m, m->other, instant), all[3] = {pp, pp, pp};
+  double lost = 0.0;
+  for (size_t k = 0; k < t->count; ++k) {
+    const po_creep_step *step = &scene.step[k];
+    const double c = t->term[k].weight;
+    double *u = po_march_field(s, PO_OF_CREEP + k);
+    const double pz = product(m, m->other, u);
+    if (c > 0.0)
+      lost += dissipate(step, c, pz, pz, all, &s->square[k]);
+    for (size_t j = 0; j < s->n; ++j)
+      u[j] = step->e * u[j] + c * (1.0 - step->e) * instant[j];
+  }
+  po_march_state *held = &m->held;
+  held->n = s->n;
+  po_panels_copy(po_surface_panels(m->e->surface), held->panels);
+  memcpy(held->field, s->field, m->fields * s->n * sizeof *s->field);
+  memcpy(held->square, s->square, sizeof s->square);
+  return lost;
 }

@@ -13,6 +13,8 @@ po_request po_request_default(void) {
                       .preload = {NAN, NAN},
                       .stiffness = NAN,
                       .unload_speed = NAN,
+                      .load_speed = NAN,
+                      .dwell = NAN,
                       .time_limit = NAN};
 }
 
@@ -79,10 +81,16 @@ po_search po_request_search(const po_request *request) {
 
 /* Checks what belongs to a viscoelastic body. */
 static po_status check_viscoelastic(const po_request *request) {
+  static const char *const NAMES[] = {"unload_speed", "load_speed", "dwell"};
+  const double values[] = {request->unload_speed, request->load_speed, request->dwell};
+  for (int k = 0; k < 3; ++k) {
+    if (!isnan(values[k]) && request->creep.kind == PO_CREEP_NONE)
+      return po_fail(PO_BAD_INPUT, "%s is %g: expected it beside viscoelastic", NAMES[k],
+                     values[k]);
+    if (values[k] < 0.0)
+      return po_fail(PO_BAD_INPUT, "%s is %g: expected a number >= 0, or inf", NAMES[k], values[k]);
+  }
   if (request->creep.kind == PO_CREEP_NONE) {
-    if (!isnan(request->unload_speed))
-      return po_fail(PO_BAD_INPUT, "unload_speed is %g: expected it beside viscoelastic",
-                     request->unload_speed);
     return request->want & PO_WANT_HISTORY
                ? po_fail(PO_BAD_INPUT, "history is wanted: expected it beside viscoelastic")
                : PO_OK;
@@ -90,9 +98,6 @@ static po_status check_viscoelastic(const po_request *request) {
   if (isnan(request->unload_speed))
     return po_fail(PO_BAD_INPUT, "unload_speed is missing: expected a number >= 0, or inf, beside "
                                  "viscoelastic");
-  if (!(request->unload_speed >= 0.0))
-    return po_fail(PO_BAD_INPUT, "unload_speed is %g: expected a number >= 0, or inf",
-                   request->unload_speed);
   if (request->scene.tabor == 0.0)
     return po_fail(PO_BAD_INPUT, "viscoelastic is given for a rigid scene: expected tabor > 0");
   if (request->mesh.scheme != PO_PANEL)

@@ -96,6 +96,8 @@ typedef struct po_request {
   double stiffness;    /* of a spring through which the body is moved, pi w R/eps; NAN: none */
   po_creep creep;      /* of the half-space; PO_CREEP_NONE: elastic */
   double unload_speed; /* of the base of a viscoelastic body, eps/tau_0; NAN: not given */
+  double load_speed;   /* the same of loading; 0 or NAN: it is relaxed */
+  double dwell;        /* at the preload, tau_0; INFINITY or NAN: until it is relaxed */
   po_search search;    /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
   const po_theories *theories;   /* NULL: none; a search is then never known to be complete */
   const po_variation *variation; /* of uncertain inputs; NULL: none */

@@ -262,24 +262,33 @@ static const po_row ENERGIES[] = {
   NUMBER("stored", stored, ENERGY, "", "", "elastic energy of the half-space"),
   NUMBER("adhesive", adhesive, ENERGY, "", "", "energy of the interaction, 0 infinitely apart"),
   NUMBER("spring", spring, ENERGY, "", "", "energy of the spring; 0 without a stiffness"),
-  NUMBER("work", work, ENERGY, "", "", "work of the base since unloading began"),
-  NUMBER("dissipated", dissipated, ENERGY, "", "", "energy dissipated in the half-space since then"),
-  NUMBER("jumps", jumps, ENERGY, "", "", "energy lost in jumps of the contact since then"),
+  NUMBER("work", work, ENERGY, "", "", "work of the base since unloading began; before it, less that until then"),
+  NUMBER("dissipated", dissipated, ENERGY, "", "", "energy dissipated in the half-space, as the work"),
+  NUMBER("jumps", jumps, ENERGY, "", "", "energy lost in jumps of the contact, as the work"),
 };
 static const po_block ENERGIES_ROWS = BLOCK("unloading_energies", ENERGIES, NULL);
 #undef S
 
 #define S po_rate_point
 static const po_row RATE_POINT[] = {
-  NUMBER("moved", moved, LENGTH, "", "", "by how much the base was moved back"),
-  NUMBER("time", time, NONE, "", "at the speeds 0 and inf", "time since unloading began, τ₀"),
+  NUMBER("moved", moved, LENGTH, "", "", "by how much the base was moved back; before unloading, how far it was from where that begins"),
+  NUMBER("time", time, NONE, "", "at the speeds 0 and inf of unloading", "time since unloading began, τ₀; < 0 before"),
   NUMBER("base", base, LENGTH, "", "", "position of the base; the approach without a stiffness"),
   NUMBER("approach", approach, LENGTH, "", "", "approach"),
   NUMBER("load", load, LOAD, "", "", "load"),
   NUMBER("contact_radius", contact_radius, LENGTH, "", "", "contact radius"),
-  PART("energies", energy, ENERGIES_ROWS, "energies, and work and losses since unloading began"),
+  PART("energies", energy, ENERGIES_ROWS, "energies, work and losses"),
 };
 static const po_block RATE_POINT_ROWS = BLOCK("unloading_point", RATE_POINT, NULL);
+#undef S
+
+#define S po_rate_loading
+static const po_row RATE_LOADING[] = {
+  COUNT("jumps", jumps, "number of jumps of the contact in loading and the dwell"),
+  PART("start", start, RATE_POINT_ROWS, "the state before any creep, with the bodies apart, from which they are loaded; its work and losses are those of loading and the dwell, times −1"),
+  PART("error_estimate", error, ENERGIES_ROWS, "bounds of the errors of the energies of `start`"),
+};
+static const po_block RATE_LOADING_ROWS = BLOCK("unloading_loading", RATE_LOADING, NULL);
 #undef S
 
 #define S po_rate
@@ -294,11 +303,14 @@ static const po_row RATE[] = {
   COUNT("jumps", jumps, "number of jumps of the contact while unloading"),
   COUNT("terms", terms, "number of retardation times"),
   COUNT("steps", steps, "number of steps of the finest march"),
-  PART("begin", begin, RATE_POINT_ROWS, "the relaxed contact at the preload"),
+  {.key = "loading", .type = PO_ROW_PART, .block = &RATE_LOADING_ROWS, .omitted = true, .offset = offsetof(S, loading),
+   .present = AT(bool, loading.is_known),
+   TEXTS("", "absent if the body is relaxed at the preload", "loading at a speed, and the dwell")},
+  PART("begin", begin, RATE_POINT_ROWS, "the contact at the preload: relaxed, or as loading and the dwell left it"),
   PART("end", end, RATE_POINT_ROWS,
        "where unloading ends: nowhere in contact, with a tension below 1 % of the pull-off force"),
   PART("error_estimate", end_error, ENERGIES_ROWS, "bounds of the errors of the energies of `end` and `begin`"),
-  LIST("history", history, history_count, RATE_POINT_ROWS, NULL, "", "states of unloading, if the history is wanted; otherwise empty"),
+  LIST("history", history, history_count, RATE_POINT_ROWS, NULL, "", "states of loading at a speed, of the dwell and of unloading, if the history is wanted; otherwise empty"),
 };
 static const po_block RATE_ROWS = BLOCK("unloading", RATE, NULL);
 #undef S

@@ -1,5 +1,6 @@
-/* The pull-off of a viscoelastic body: relaxed loading to the preload, and marches of unloading,
- * from whose differences the errors follow. See doc/method.md, "Viscoelastic bodies". */
+/* The pull-off of a viscoelastic body: relaxed loading to the preload, and marches of unloading, or
+ * of loading, dwell and unloading, from whose differences the errors follow. See doc/method.md,
+ * "Viscoelastic bodies". */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,6 +22,7 @@ typedef struct {
   po_surface *surface;
   po_preload preload;
   po_solution *reached; /* the last state of loading at given approach */
+  po_solution *first;   /* its first state */
   double greatest;      /* approach */
   double load;          /* of the preload, pi w R; NAN: none */
   po_preload low, high; /* of loading: the last state below that load, and one that reaches it */
@@ -46,6 +48,8 @@ static bool visit_loading(const po_branch_point *point, void *data) {
     return false;
   l->greatest = point->approach;
   *(point->load < l->load ? &l->low : &l->high) = (po_preload){point->approach, point->load};
+  if (first)
+    po_solution_copy(point->solution, l->first);
   po_solution_copy(point->solution, l->reached);
   l->met =
       point->load >= l->preload.load || fabs(point->approach - l->preload.approach) < AT_PRELOAD;
@@ -109,12 +113,21 @@ static po_status go_to_load(po_equilibrium *e, const loading *l) {
   return status;
 }
 
+/* Whether a body is loaded at a speed: otherwise it is relaxed at the preload. */
+static bool is_loaded(const po_request *request) {
+  return request->load_speed > 0.0;
+}
+
+/* Greatest approach at which loading at a speed begins, eps, unless another is given: there a
+ * sphere is attracted by a hundredth of its pull-off force. */
+static const double APART = -10.0;
+
 /* Loads until the approach or the load of the preload is reached. */
 static po_status load_once(const po_request *request, po_equilibrium *e, loading *l) {
   po_continuation_options options = po_continuation_options_default();
   options.minima_only = true;
   options.end = l->preload.approach;
-  options.begin = request->approach_start;
+  options.begin = fmin(request->approach_start, is_loaded(request) ? APART : (double)NAN);
   if (isfinite(l->preload.approach))
     options.begin = fmin(options.begin, l->preload.approach - 1.0);
   options.visit = visit_loading;
@@ -181,12 +194,12 @@ typedef struct {
   const po_request *request;
   const po_surface *surface;
   size_t most_nodes;
-  double start;   /* energy less work and losses at the begin */
+  double start;   /* energy less work and losses at the begin, and when unloading began */
   double tension; /* greatest so far */
   double parted;  /* how far the base had moved when the contact ended, eps */
   double imbalance;
-  bool begun;
-  po_rate_point last;
+  bool begun, unloads;
+  po_rate_point first, begin, last; /* the first state, that at which unloading begins, the last */
   po_rate_point *history;
   size_t count, room;
   bool keeps;
@@ -198,20 +211,47 @@ static double balance(const po_rate_energy *e) {
   return e->stored + e->adhesive + e->spring + e->dissipated + e->jumps - e->work;
 }
 
-static bool visit_unloading(const po_rate_point *point, bool jumped, void *data) {
-  (void)jumped;
+/* Counts time, motion, work and losses of a state before unloading from where it begins. */
+static void count_from(const po_rate_point *begin, double time, po_rate_point *p) {
+  p->moved = begin->base - p->base;
+  p->time -= time;
+  p->energy.work -= begin->energy.work;
+  p->energy.dissipated -= begin->energy.dissipated;
+  p->energy.jumps -= begin->energy.jumps;
+}
+
+/* Unloading begins at the last state. */
+static void begin_unloading(unloading *u, const po_rate_point *point) {
+  const po_rate_point before = u->last;
+  if (u->begun) {
+    count_from(&before, before.time, &u->first);
+    for (size_t k = 0; k < u->count; ++k)
+      count_from(&before, before.time, &u->history[k]);
+    u->count -= u->keeps ? 1 : 0; /* the last one comes again */
+  }
+  u->start = balance(&point->energy);
+  u->begin = *point;
+  u->begun = u->unloads = true;
+}
+
+static bool visit_march(const po_rate_point *point, po_march_phase phase, void *data) {
   unloading *u = data;
   u->status = po_deadline_check();
   if (u->request->watch)
     u->request->watch(u->request->watcher, point->approach, point->load);
-  if (!u->begun)
+  if (phase == PO_UNLOADING && !u->unloads)
+    begin_unloading(u, point);
+  if (!u->begun) {
+    u->first = *point;
     u->start = balance(&point->energy);
+  }
   u->begun = true;
   u->imbalance = fmax(u->imbalance, fabs(balance(&point->energy) - u->start));
   u->last = *point;
-  u->tension = fmax(u->tension, -point->load);
+  if (phase == PO_UNLOADING)
+    u->tension = fmax(u->tension, -point->load);
   u->most_nodes = u->surface->n > u->most_nodes ? u->surface->n : u->most_nodes;
-  if (point->contact_radius > 0.0)
+  if (phase == PO_UNLOADING && point->contact_radius > 0.0)
     u->parted = point->moved;
   if (u->keeps && !u->status) {
     po_rate_point *grown = po_grow(u->history, u->count, &u->room, sizeof *grown);
@@ -222,7 +262,8 @@ static bool visit_unloading(const po_rate_point *point, bool jumped, void *data)
       grown[u->count++] = *point;
     }
   }
-  return u->status || (!u->fixed && point->moved > (1.0 + PART_BEYOND) * u->parted + BEYOND &&
+  return u->status || (phase == PO_UNLOADING && !u->fixed &&
+                       point->moved > (1.0 + PART_BEYOND) * u->parted + BEYOND &&
                        -point->load < END_OF_TENSION * u->tension);
 }
 
@@ -230,7 +271,6 @@ static bool visit_unloading(const po_rate_point *point, bool jumped, void *data)
 typedef struct {
   po_march *march;
   po_march_peak peak;
-  po_rate_point begin;
   unloading read;
 } run;
 
@@ -245,14 +285,11 @@ static po_status march(const po_request *request, po_equilibrium *e, const po_so
   *r = (run){
       .read = {
           .request = request, .surface = e->surface, .keeps = keeps, .fixed = !isnan(options.end)}};
-  options.visit = visit_unloading;
+  options.visit = visit_march;
   options.data = &r->read;
   po_status status = po_march_create(e, po_solve_allowance(tolerance), start, &options, &r->march);
-  if (!status) {
-    r->begin = po_march_begin(r->march);
-    visit_unloading(&r->begin, false, &r->read);
+  if (!status)
     status = po_march_run(r->march);
-  }
   if (!status)
     status = r->read.status;
   if (status)
@@ -261,7 +298,7 @@ static po_status march(const po_request *request, po_equilibrium *e, const po_so
   return r->peak.found ? PO_OK
                        : po_fail(PO_NOT_FOUND,
                                  "the tension has no maximum while unloading from approach %.6g",
-                                 r->begin.approach);
+                                 r->read.begin.approach);
 }
 
 /* The tolerance of the panels whose result shows the error of the panels, over the tolerance; and
@@ -293,43 +330,91 @@ static double error_of(const estimate *e, double rounding) {
 /* Newton's method and rounding, relative. */
 static const double ROUNDING = 1e-9;
 
-static bool any_jumps(const run r[3]) {
-  return po_march_jumps(r[0].march) + po_march_jumps(r[1].march) + po_march_jumps(r[2].march) > 0;
+static bool any_jumps(const run r[3], bool while_unloading) {
+  size_t count = 0;
+  for (int k = 0; k < 3; ++k)
+    count += po_march_jumps(r[k].march, while_unloading);
+  return count > 0;
 }
 
-static void take_energies(const run r[3], bool smooth, po_rate *rate) {
-  const double *of[3], *begin[3];
+enum { ENERGIES = sizeof(po_rate_energy) / sizeof(double) };
+
+/* The energies of a state, extrapolated from those of three marches, and their errors. */
+static void take_energies(const po_rate_energy *const of[3], bool smooth, po_rate_energy *energy,
+                          po_rate_energy *error) {
+  const double *coarse = &of[0]->stored, *fine = &of[1]->stored, *panels = &of[2]->stored;
+  for (int i = 0; i < ENERGIES; ++i) {
+    const estimate e = estimate_of(coarse[i], fine[i], panels[i], smooth);
+    (&energy->stored)[i] = e.value;
+    (&error->stored)[i] = error_of(&e, ROUNDING * (1.0 + fabs(e.value)));
+  }
+}
+
+/* Each energy is extrapolated by itself: what the balance of the values misses is an error of the
+ * work or of a loss, while the other energies belong to a state. */
+static void add_miss(double miss, bool jumps, po_rate_energy *error) {
+  error->work += miss;
+  error->dissipated += miss;
+  if (jumps)
+    error->jumps += miss;
+}
+
+static void take_loading(const run r[3], bool smooth, po_rate *rate) {
+  po_rate_loading *l = &rate->loading;
+  const po_rate_energy *of[3];
+  for (int k = 0; k < 3; ++k)
+    of[k] = &r[k].read.first.energy;
+  const bool jumps = any_jumps(r, false);
+  l->is_known = true;
+  l->jumps = po_march_jumps(r[1].march, false);
+  l->start = r[1].read.first;
+  take_energies(of, smooth && !jumps, &l->start.energy, &l->error);
+  add_miss(fabs(balance(&l->start.energy) - balance(&rate->begin.energy)), jumps, &l->error);
+}
+
+static void take_unloading(const run r[3], bool smooth, po_rate *rate) {
+  const po_rate_energy *end[3];
+  const double *begin[3];
   for (int k = 0; k < 3; ++k) {
-    of[k] = &r[k].read.last.energy.stored;
-    begin[k] = &r[k].begin.energy.stored;
+    end[k] = &r[k].read.last.energy;
+    begin[k] = &r[k].read.begin.energy.stored;
   }
-  double *value = &rate->end.energy.stored, *error = &rate->end_error.stored;
-  double *first = &rate->begin.energy.stored;
-  for (size_t i = 0; i < sizeof(po_rate_energy) / sizeof(double); ++i) {
-    const estimate e = estimate_of(of[0][i], of[1][i], of[2][i], smooth);
-    const double start = fabs(begin[2][i] - begin[0][i]);
-    first[i] = begin[1][i];
-    value[i] = e.value;
-    error[i] = SAFETY * start + error_of(&e, ROUNDING * (1.0 + fabs(e.value)));
+  take_energies(end, smooth, &rate->end.energy, &rate->end_error);
+  double *error = &rate->end_error.stored;
+  rate->begin.energy = r[1].read.begin.energy;
+  for (int i = 0; i < ENERGIES; ++i) {
+    double start = fabs(begin[2][i] - begin[0][i]);
+    if (rate->loading.is_known)
+      start += fabs(begin[1][i] - begin[0][i]);
+    error[i] += SAFETY * start;
   }
-  /* each is extrapolated by itself: what the balance of the values misses is an error of the work
-   * or of a loss, while the other energies belong to a state */
-  const double miss = fabs(balance(&rate->end.energy) - balance(&rate->begin.energy));
-  rate->end_error.work += miss;
-  rate->end_error.dissipated += miss;
-  if (any_jumps(r))
-    rate->end_error.jumps += miss;
+  add_miss(fabs(balance(&rate->end.energy) - balance(&rate->begin.energy)), any_jumps(r, true),
+           &rate->end_error);
+}
+
+/* Whether a test has steps in time: at the limits of the speeds the body is elastic. */
+static bool takes_time(const po_request *request) {
+  const double speed = request->unload_speed;
+  const bool loads = is_loaded(request) && speed > 0.0;
+  return (speed > 0.0 && isfinite(speed)) ||
+         (loads && (isfinite(request->load_speed) || request->dwell != 0.0));
+}
+
+/* The shorter of two durations, of which 0 is none. */
+static double least_duration(double a, double b) {
+  return a == 0.0 ? b : b == 0.0 ? a : fmin(a, b);
 }
 
 /* Fills the result from three marches: coarse, with half the steps, on coarse panels. */
 static void take(const po_attempt *a, const run r[3], const po_far_field *far, po_result *o) {
   po_rate *rate = &o->rate;
-  const bool path = isnan(r[1].begin.time); /* the limits have no error in time */
-  const bool smooth = !path && r[0].peak.jumps == 0 && r[1].peak.jumps == 0 && r[2].peak.jumps == 0;
+  const bool path = isnan(r[1].read.begin.time);
+  const bool steps = takes_time(r[1].read.request); /* the limits have no error in time */
+  const bool smooth = steps && r[0].peak.jumps == 0 && r[1].peak.jumps == 0 && r[2].peak.jumps == 0;
   const po_rate_point *p[3] = {&r[0].peak.at, &r[1].peak.at, &r[2].peak.at};
   estimate force = estimate_of(-p[0]->load, -p[1]->load, -p[2]->load, smooth);
   force.mesh = fmax(force.mesh, LEAST_OF_PANELS * a->tolerance * force.value);
-  if (!path)
+  if (steps)
     force.time = fmax(force.time, LEAST_OF_STEPS * sqrt(a->tolerance) * force.value);
   /* the place of the maximum is no smooth function of the steps */
   const double spread = fmax(r[0].peak.spread, r[1].peak.spread);
@@ -356,32 +441,57 @@ static void take(const po_attempt *a, const run r[3], const po_far_field *far, p
            : error_of(&moved, ROUNDING * (1.0 + fabs(moved.value)) + spread) / rate->speed;
   rate->time_part = SAFETY * force.time;
   rate->mesh_part = SAFETY * force.mesh;
-  rate->begin = r[1].begin;
+  rate->begin = r[1].read.begin;
   rate->end = r[1].read.last;
-  rate->jumps = po_march_jumps(r[1].march);
+  rate->jumps = po_march_jumps(r[1].march, true);
   rate->steps = po_march_steps(r[1].march);
   rate->imbalance = r[1].read.imbalance;
-  take_energies(r, !path && !any_jumps(r), rate);
+  if (is_loaded(r[1].read.request))
+    take_loading(r, steps, rate);
+  take_unloading(r, steps && !any_jumps(r, true) && !any_jumps(r, false), rate);
+}
+
+/* The duration of the dwell in which a body relaxes to exp(-40), over its longest time. */
+static const double RELAXED = 40.0;
+
+/* Fills the terms of the material, and of the options what depends on the speeds. */
+static void fill_terms(const po_request *request, po_creep_terms *terms,
+                       po_march_options *options) {
+  const double speed = request->unload_speed, load_speed = request->load_speed;
+  double shortest = speed > 0.0 ? 1.0 / speed : 0.0;
+  options->load_speed = options->dwell = NAN;
+  if (is_loaded(request)) {
+    const double dwell = speed > 0.0 ? request->dwell : (double)NAN;
+    shortest = least_duration(shortest, 1.0 / load_speed);
+    shortest = least_duration(shortest, isfinite(dwell) ? dwell : 0.0);
+    options->load_speed = load_speed;
+    options->dwell = dwell;
+  }
+  po_creep_terms_fill(&request->creep, shortest > 0.0 ? shortest : 1.0, terms);
+  if (shortest == 0.0) /* the spectrum does not matter */
+    *terms = (po_creep_terms){terms->instant, 1, {{1.0, 1.0 - terms->instant}}};
+  if (!isfinite(options->dwell)) /* of a body that is loaded at a speed */
+    options->dwell = RELAXED * terms->term[terms->count - 1].time;
 }
 
 static po_status march_all(const po_request *request, const po_attempt *a, po_equilibrium *e,
                            const po_solution *start, const po_far_field *far, po_result *o) {
   po_creep_terms terms;
-  const double speed = request->unload_speed;
-  po_creep_terms_fill(&request->creep, isfinite(speed) && speed > 0.0 ? 1.0 / speed : 1.0, &terms);
-  if (!isfinite(speed) || speed == 0.0) /* the spectrum does not matter */
-    terms = (po_creep_terms){terms.instant, 1, {{1.0, 1.0 - terms.instant}}};
-  o->rate.instant = terms.instant;
-  o->rate.speed = speed;
-  o->rate.terms = terms.count;
   run r[3] = {{0}};
+  const po_preload preload = po_request_preload(request);
   po_march_options options = {.terms = &terms,
-                              .speed = speed,
+                              .speed = request->unload_speed,
+                              .approach = isnan(preload.approach) ? INFINITY : preload.approach,
+                              .load = isnan(preload.load) ? INFINITY : preload.load,
                               .stiffness = request->stiffness,
                               .base = po_solution_approach(start),
                               .misfit = sqrt(a->tolerance),
                               .halving = 1.0,
                               .end = NAN};
+  fill_terms(request, &terms, &options);
+  o->rate.instant = terms.instant;
+  o->rate.speed = request->unload_speed;
+  o->rate.terms = terms.count;
   if (!isnan(request->stiffness))
     options.base += start->load / request->stiffness;
   const double tolerance = a->tolerance;
@@ -408,14 +518,17 @@ static po_status march_all(const po_request *request, const po_attempt *a, po_eq
 po_status po_rate_solve(const po_request *request, const po_attempt *a, po_surface *surface,
                         po_result *o) {
   po_arena arrays = {0};
-  po_solution reached = {0};
+  po_solution reached = {0}, first = {0};
   po_equilibrium *e = NULL;
   loading l = {.request = request,
                .surface = surface,
                .preload = po_request_preload(request),
                .reached = &reached,
+               .first = &first,
                .load = po_request_preload(request).load};
   po_status status = po_solution_allocate(&reached, surface->capacity, &arrays);
+  if (!status)
+    status = po_solution_allocate(&first, surface->capacity, &arrays);
   if (!status)
     status = load_relaxed(request, &e, &l);
   if (!status) {
@@ -423,7 +536,7 @@ po_status po_rate_solve(const po_request *request, const po_attempt *a, po_surfa
     po_contact_gap gap = po_contact_gap_on_panels(&request->scene, &reached);
     status = po_solve_is_cut_off(&request->scene, po_contact_radius(&gap), a->core)
                  ? PO_OUT_OF_DOMAIN
-                 : march_all(request, a, e, &reached, &far, o);
+                 : march_all(request, a, e, is_loaded(request) ? &first : &reached, &far, o);
   }
   if (e) {
     const size_t most = o->work.nodes > l.most_nodes ? o->work.nodes : l.most_nodes;

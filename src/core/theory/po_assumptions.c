@@ -165,6 +165,9 @@ static void find_of_rate(const po_request *request, double tension, const po_clo
   number[PO_ASSUMES_BEYOND] = states->at_once.preload_radius / states->at_once.contact_radius;
   if (creeps)
     number[PO_ASSUMES_ELONGATION] *= sqrt(k);
+  /* the states of these theories start at the relaxed contact */
+  if (request->load_speed > 0.0 && isfinite(request->dwell) && request->unload_speed > 0.0)
+    number[PO_ASSUMES_RELAXED] = number[PO_ASSUMES_FLATTENED] = number[PO_ASSUMES_BEYOND] = NAN;
 }
 
 void po_assumptions_find(const po_request *request, const po_result *result,

@@ -85,15 +85,16 @@ static bool names(const po_csv *table, po_key key) {
 }
 
 /* A table without a key law is valid for the law of the paper only, one without a profile for the
- * sphere only, one without waves for at most one wave, and one without a material for elastic
- * bodies. */
+ * sphere only, one without waves for at most one wave, one without a material for elastic bodies,
+ * and one without a speed of loading for slow loading. */
 static bool is_possible(const po_csv *table, const po_request *request) {
   const po_scene *scene = &request->scene;
   return (names(table, PO_KEY_LAW) || po_key_matches(request, PO_KEY_LAW, "lennard-jones")) &&
          (names(table, PO_KEY_PROFILE) || names(table, PO_KEY_PROFILE_FILE) ||
           po_profile_is_sphere(&scene->profile)) &&
          (names(table, PO_KEY_WAVES) || po_scene_waves(scene) < 2) &&
-         (names(table, PO_KEY_VISCOELASTIC) || request->creep.kind == PO_CREEP_NONE);
+         (names(table, PO_KEY_VISCOELASTIC) || request->creep.kind == PO_CREEP_NONE) &&
+         (names(table, PO_KEY_LOAD_SPEED) || !(request->load_speed > 0.0));
 }
 
 /* Reports whether all headers that are keys of the scene have the values of a scene. */

@@ -39,6 +39,7 @@ typedef struct {
   size_t bounded; /* outer_radius is finite */
   size_t to_end;  /* approach_end is given */
   size_t creep;   /* viscoelastic */
+  size_t loaded;  /* of these, loaded at a speed */
   size_t limits;  /* of these, at the speeds 0 and inf */
 } point_counts;
 
@@ -52,7 +53,10 @@ static point_counts count_properties(const po_case *kase) {
     const bool creeps = request->creep.kind != PO_CREEP_NONE;
     count.to_end += isnan(request->approach_end) || creeps ? 0 : 1;
     count.creep += creeps;
-    count.limits += creeps && (request->unload_speed == 0.0 || isinf(request->unload_speed));
+    const bool loaded = creeps && request->load_speed > 0.0;
+    count.loaded += loaded;
+    count.limits +=
+        creeps && !loaded && (request->unload_speed == 0.0 || isinf(request->unload_speed));
   }
   return count;
 }
@@ -76,17 +80,18 @@ static void tell_sample(const po_plan *plan, json_t **lines) {
   }
 }
 
-/* Viscoelastic bodies. Given: their number, and how many of them are at the speeds 0 and inf. */
-static void tell_marches(size_t count, size_t limits, json_t **lines) {
-  if (count)
+static void tell_marches(const point_counts *n, json_t **lines) {
+  if (n->creep)
     say(lines,
         "solve %zu viscoelastic %s: each loaded slowly to the preload, and unloaded by three "
         "marches in time, whose differences bound the errors: one with half as long steps, and one "
         "on coarser panels",
-        count, scenes(count));
-  if (limits)
+        n->creep, scenes(n->creep));
+  if (n->loaded)
+    say(lines, "load %zu of these at a speed, too, in the same marches", n->loaded);
+  if (n->limits)
     say(lines, "no steps in time for %zu of these: at the speeds 0 and inf the body is elastic",
-        limits);
+        n->limits);
 }
 
 static void tell_scenes(const po_plan *plan, json_t **lines) {
@@ -99,7 +104,7 @@ static void tell_scenes(const po_plan *plan, json_t **lines) {
   if (traced_whole)
     say(lines, "solve %zu %s: each traced as one branch from large separation%s", traced_whole,
         scenes(traced_whole), series ? ", or computed by parameter continuation" : "");
-  tell_marches(n.creep, n.limits, lines);
+  tell_marches(&n, lines);
   if (series)
     say(lines,
         "continue the pull-off in %s along %zu series of %zu scenes; every %zu scenes one is "

@@ -219,10 +219,9 @@ static po_status read_into(const json_t *object, const po_block *block, void *ow
 json_t *po_json_input(const po_request *request) {
   json_t *object = po_json_empty_object();
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    const bool creeps = key == PO_KEY_VISCOELASTIC || key == PO_KEY_UNLOAD_SPEED;
-    if (creeps && request->creep.kind == PO_CREEP_NONE) /* documents of elastic scenes lack them */
-      continue;
     const double value = po_key_number(request, key);
+    if (po_key_is_of_time(key) && isnan(value))
+      continue;
     char text[PO_KEY_TEXT_LENGTH];
     po_key_print(request, key, text);
     json_t *item = NULL;

@@ -128,10 +128,12 @@ static const struct {
         {.column = HISTORY,
          .count = LENGTH(HISTORY),
          .list = {{"unloading.history", ""}},
-         .what = "unloading of a viscoelastic body: the steps of the finest march",
-         .units = "time in tau_0, nan at the speeds 0 and inf; lengths in epsilon; load in pi w R, "
-                  "compressive > 0; energies, and work and losses since unloading began, in pi w R "
-                  "epsilon: work = change of (stored + adhesive + spring) + dissipated + jumps",
+         .what = "unloading of a viscoelastic body, and before it loading at a speed and the "
+                 "dwell: the steps of the finest march",
+         .units = "time since unloading began, in tau_0, nan at its speeds 0 and inf; lengths in "
+                  "epsilon; load in pi w R, compressive > 0; energies, and work and losses since "
+                  "unloading began, in pi w R epsilon: work = change of (stored + adhesive + "
+                  "spring) + dissipated + jumps",
          .units_in_si =
              "SI, at the end of the name of each column, but for the time in tau_0; load "
              "compressive > 0; work = change of (stored + adhesive + spring) + "

@@ -324,8 +324,12 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
 }
 
 bool po_key_is_of_scene(po_key key) {
-  return (PO_KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group(key)) ||
-         key == PO_KEY_VISCOELASTIC || key == PO_KEY_UNLOAD_SPEED;
+  return (PO_KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group(key)) || po_key_is_of_time(key);
+}
+
+bool po_key_is_of_time(po_key key) {
+  return key == PO_KEY_VISCOELASTIC || key == PO_KEY_UNLOAD_SPEED || key == PO_KEY_LOAD_SPEED ||
+         key == PO_KEY_DWELL;
 }
 
 bool po_input_has_coupling(const po_request *request) {
@@ -399,8 +403,9 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
     if (strcmp(text, identity) == 0)
       return true;
   }
-  if (key == PO_KEY_STIFFNESS && strcmp(text, "-") == 0)
-    return isnan(request->stiffness);
+  const bool optional = key == PO_KEY_STIFFNESS || key == PO_KEY_LOAD_SPEED || key == PO_KEY_DWELL;
+  if (optional && strcmp(text, "-") == 0)
+    return isnan(po_key_number(request, key));
   if (!po_key_set(&wanted, key, text))
     return false;
   switch (key) {

@@ -140,6 +140,9 @@ const char *po_input_load_unit(const po_request *request);
  * traced, and the time limit. */
 bool po_key_is_of_scene(po_key key);
 
+/* Returned: whether a key is of viscoelastic bodies alone: the documents of others lack it. */
+bool po_key_is_of_time(po_key key);
+
 /* Appends " --wave A,L" for each wave of a text "A@L;A@L". */
 void po_input_add_waves(po_text *command, const char *waves);
 

@@ -46,9 +46,7 @@ void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_L
     snprintf(text, PO_KEY_TEXT_LENGTH, "%zu", request->mesh.nodes);
   else if (isnan(po_key_number(request, key)))
     snprintf(text, PO_KEY_TEXT_LENGTH,
-             key == PO_KEY_TIME_LIMIT || key == PO_KEY_VISCOELASTIC || key == PO_KEY_UNLOAD_SPEED
-                 ? "none"
-                 : "auto");
+             key == PO_KEY_TIME_LIMIT || po_key_is_of_time(key) ? "none" : "auto");
   else if (key == PO_KEY_SMOOTH && isinf(po_key_number(request, key)))
     snprintf(text, PO_KEY_TEXT_LENGTH, "auto");
   else

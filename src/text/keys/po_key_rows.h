@@ -91,12 +91,18 @@
     HELP("range of the attraction with which a pull-off is found: exact, the true one; reduced, several greater " \
          "ones and their limit; auto, the latter where contact edges are very narrow or the solve fails or is long (default auto)")) \
   X(VISCOELASTIC, "viscoelastic", WORDS(PO_CREEP_EXPECTED), NUMBER, TRACE, NO_PLACE, CONSTANT, SERIES, "MATERIAL", \
-    HELP("viscoelastic half-space, loaded slowly to the preload and unloaded at --unload-speed: sls:K, the standard " \
+    HELP("viscoelastic half-space, loaded slowly (--load-speed) to the preload and unloaded at --unload-speed: sls:K, the standard " \
          "linear solid, gamma:K,N, the Gamma spectrum with the exponent N, or prony:FILE, a table of times and weights of " \
          "the modulus or the compliance; K is the ratio of the relaxed to the glassy modulus, and --tabor belongs to the " \
          "relaxed one (default: elastic)")) \
   X(UNLOAD_SPEED, "unload_speed", NOT_NEGATIVE_OR_INFINITE, NUMBER, TRACE, PLACE(unload_speed), VARIES, SERIES, "V", \
     HELP("speed of unloading of --viscoelastic, in epsilon/tau_0; 0 and inf are the slow and the fast limit")) \
+  X(LOAD_SPEED, "load_speed", NOT_NEGATIVE_OR_INFINITE, NUMBER, TRACE, PLACE(load_speed), VARIES, SERIES, "V", \
+    HELP("speed of loading of --viscoelastic, in epsilon/tau_0, from a state before any creep with the bodies apart; 0 is " \
+         "slow loading, after which the body is relaxed at the preload (default 0)")) \
+  X(DWELL, "dwell", NOT_NEGATIVE_OR_INFINITE, NUMBER, TRACE, PLACE(dwell), VARIES, SERIES, "T", \
+    HELP("time in tau_0 for which the preload is held after loading at --load-speed: the load, if loading ended there, " \
+         "or the approach; inf: until the body is relaxed (default inf)")) \
   X(TIME_LIMIT, "time_limit", POSITIVE, NUMBER, TRACE, PLACE(time_limit), CONSTANT, SERIES, "S", \
     HELP("processor time after which a solve is stopped, in seconds (default: no limit)"))
 
@@ -144,7 +150,11 @@
     HELP("time tau_0 of --viscoelastic, in s")) \
   X(UNLOAD_SPEED_M_PER_S, "unload_speed_m_per_s", NOT_NEGATIVE_OR_INFINITE, NUMBER, SI, SETS(UNLOAD_SPEED), VARIES, \
     SERIES, "V", HELP("speed of unloading of --viscoelastic, in m/s; needs --relaxation-time-s, unless the " \
-         "times of a table are in s"))
+         "times of a table are in s")) \
+  X(LOAD_SPEED_M_PER_S, "load_speed_m_per_s", NOT_NEGATIVE_OR_INFINITE, NUMBER, SI, SETS(LOAD_SPEED), VARIES, \
+    SERIES, "V", HELP("speed of loading of --viscoelastic, in m/s")) \
+  X(DWELL_S, "dwell_s", NOT_NEGATIVE_OR_INFINITE, NUMBER, SI, SETS(DWELL), VARIES, SERIES, "T", \
+    HELP("time for which the preload is held, in s"))
 
 #define PO_TEXTS_ROWS(X) PO_SI_ROWS(X) \
   X(PROFILE_APPROACH, "profile_approach", ANY_NUMBER, LENGTH, TRACE, PLACE(profile_approach), CONSTANT, NO_VERB, "D", \

@@ -280,27 +280,33 @@ static po_status set_physical(po_texts *given, po_request *request) {
   return add_waves(given, physical.distance, &request->scene);
 }
 
-/* Converts a speed in m/s to one in epsilon/tau_0. */
-static po_status set_speed(po_texts *given, po_request *request) {
-  const char *const speed = given->text[PO_KEY_UNLOAD_SPEED_M_PER_S];
+/* Converts speeds in m/s to epsilon/tau_0, and a time in s to tau_0. */
+static po_status set_times(po_texts *given, po_request *request) {
+  const char *const unload = given->text[PO_KEY_UNLOAD_SPEED_M_PER_S];
+  const char *const load = given->text[PO_KEY_LOAD_SPEED_M_PER_S];
+  const char *const dwell = given->text[PO_KEY_DWELL_S];
+  const bool any = unload || load || dwell;
   const char *const text = given->text[PO_KEY_RELAXATION_TIME_S];
   const bool in_seconds = po_creep_is_in_seconds(&request->creep);
   double time = 1.0;
   if (text && !po_key_parse(PO_KEY_RELAXATION_TIME_S, text, &time))
     return refuse(given, PO_KEY_RELAXATION_TIME_S, "%s",
                   PO_KEYS[PO_KEY_RELAXATION_TIME_S].expected);
-  if (text && !speed)
-    return refuse(given, PO_KEY_RELAXATION_TIME_S, "it beside a speed in m/s");
+  if (text && !any)
+    return refuse(given, PO_KEY_RELAXATION_TIME_S, "it beside a speed in m/s or a time in s");
   if (text && in_seconds && time != 1.0)
     return refuse(given, PO_KEY_RELAXATION_TIME_S,
                   "1 or nothing, as the times of the material are "
                   "in s");
-  if (!speed)
+  if (!any)
     return PO_OK;
   if (!text && !in_seconds)
-    return refuse(given, PO_KEY_RELAXATION_TIME_S, "%s, as the speed is in m/s",
-                  PO_KEYS[PO_KEY_RELAXATION_TIME_S].expected);
-  request->unload_speed *= time / request->units.length;
+    return refuse(given, PO_KEY_RELAXATION_TIME_S, "%s, as %s",
+                  PO_KEYS[PO_KEY_RELAXATION_TIME_S].expected,
+                  unload || load ? "the speed is in m/s" : "the dwell is in s");
+  request->unload_speed *= unload ? time / request->units.length : 1.0;
+  request->load_speed *= load ? time / request->units.length : 1.0;
+  request->dwell /= dwell ? time : 1.0;
   return PO_OK;
 }
 
@@ -318,7 +324,7 @@ static po_status set_in_si(po_texts *given, po_request *request) {
     if (target->place != PO_NO_PLACE)
       *(double *)(void *)((char *)request + target->place) = value;
   }
-  return set_speed(given, request);
+  return set_times(given, request);
 }
 
 /* Refuses keys that the mesh, the law or the profile of a request does not have. */
