@@ -34,8 +34,8 @@ static const double OF_TOLERANCE = 0.03;
 /* Part of the tolerance at which the extrapolated force is accurate enough. */
 static const double ENOUGH = 0.5;
 
-/* Ranges between two traces; and how many traces in a row may fail. */
-enum { APART = 2, FAILURES = 4 };
+/* Ranges between two traces; how many traces in a row may fail; and the most ranges of limits. */
+enum { APART = 2, FAILURES = 4, MOST_TRACED = 24 };
 
 double po_reduced_width(const po_scene *scene) {
   const double length = po_scene_is_wavy(scene) ? po_initial_gap_detail(scene) : INFINITY;
@@ -486,9 +486,13 @@ static po_status go_on(search *s, po_reduced_solver *solve, int *failures, po_re
 static po_ranges ranges_of(const po_request *request) {
   const double width = po_reduced_width(&request->scene);
   po_ranges r = {.request = request};
-  for (double range = sqrt(WIDEST / width);
-       range > 1.0 && width * range * range > NARROWEST && r.count < PO_MOST_RANGES; range /= STEP)
-    r.range[r.count++] = range;
+  for (double range = sqrt(WIDEST / width); range > 1.0 && r.all < PO_MOST_RANGES - 1;
+       range /= STEP) {
+    r.count += width * range * range > NARROWEST && r.count < MOST_TRACED;
+    r.range[r.all++] = range;
+  }
+  if (r.all < PO_MOST_RANGES - 1)
+    r.range[r.all++] = 1.0;
   return r;
 }
 

@@ -24,7 +24,7 @@ static po_status find_side(const po_range_follower *f, const po_kept_point *p, b
     if (at > f->trace->at)
       *side = po_range_side_of(f->ranges, f->trace->at, at, value,
                                by_load ? preload.load : preload.approach);
-    if (*side || at + 1 == f->ranges->count)
+    if (*side || at + 1 == f->ranges->all)
       return PO_OK;
     status = po_range_course_next(f->course, true, f->track);
   }

@@ -7,12 +7,13 @@
 #include "po_reduced.h"
 
 /* The ranges, in units of the true one; each is 1/sqrt(2) of the one before, with which the width
- * of the contact edges is halved. */
-enum { PO_MOST_RANGES = 24 };
+ * of the contact edges is halved, but for the last, which is the true one if there is room. */
+enum { PO_MOST_RANGES = 40 };
 typedef struct {
   const po_request *request; /* with the true range */
   double range[PO_MOST_RANGES];
-  int count;
+  int count; /* of those that are traced, and from which limits are found */
+  int all;   /* of those to which a jump of loading is followed */
 } po_ranges;
 
 /* The request with one of the ranges: every length in units of eps is so much smaller, and so is
