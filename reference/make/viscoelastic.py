@@ -19,7 +19,6 @@ import sys
 from dataclasses import replace
 
 import numpy as np
-from scipy.optimize import brentq
 
 from branch import NotConverged, smooth_sphere
 from command_line import STORED, notes, options, run
@@ -67,10 +66,7 @@ SCENES = [tuple(line.split() + ["-"] * (len(KEYS) - len(line.split()))) for line
     1 0 20 100 inf sls:0.1 5 1 - 10 1
     1 0 20 100 inf gamma:0.1;0.6 3 10 - 10 0.5
     0.3 0 20 100 inf sls:0.01 2 10 - 100 0
-    2 0 20 100 inf sls:0.3 3 1 - 1 0.1
-    1 0.5 20 100 100 sls:0.1 5 10 - 10 1
     1 0 20 100 inf sls:0.1 3 1 0.3 1 0.5
-    1 0 20 100 inf prony:three_times.csv 5 1 -
 """.strip().splitlines()]
 SAMPLE = SCENES[:4]
 
@@ -83,10 +79,8 @@ COARSE_TIME = {"step": 1e-5, "spectrum": 0.9}
 
 
 def material(text):
-    """The spectrum, as creep takes it, and k of `sls:k`, `gamma:k;n`, `terms:k;tau_1@w_1;...` or `prony:FILE`."""
+    """The spectrum, as creep takes it, and k of `sls:k`, `gamma:k;n` or `terms:k;tau_1@w_1;...`."""
     name, _, rest = text.partition(":")
-    if name == "prony":
-        return prony(rest)
     if name == "terms":
         k, _, terms = rest.partition(";")
         return f"terms:{terms}", float(k)
@@ -94,32 +88,6 @@ def material(text):
     if name not in ("sls", "gamma") or len(numbers) != (1 if name == "sls" else 2):
         raise ValueError(f"material {text}: expected sls:k, gamma:k;n or terms:k;tau@w;...")
     return name if name == "sls" else f"gamma:{numbers[1]}", float(numbers[0])
-
-
-def prony(name):
-    """The spectrum and k of a table of the modulus, E(t) = sum_m weight_m exp(-t/time_m), the last time inf. The Laplace
-    transform of the compliance over that of its relaxed value is E(inf)/(s E*(s)), whose poles are roots between those
-    of the modulus, and one beyond."""
-    rows = [(float(row["time"]), float(row["modulus"])) for row in read_table(STORED / name)[1]]
-    times = np.array([time for time, _ in rows if np.isfinite(time)])
-    parts = np.array([part for time, part in rows if np.isfinite(time)])
-    relaxed = sum(part for time, part in rows if not np.isfinite(time))
-
-    def modulus(s):
-        """s times the transform of E at s = -1/tau."""
-        return relaxed + (parts * s / (s + 1.0 / times)).sum()
-
-    poles = [0.0, *sorted(1.0 / times)]
-    near = 1e-13
-    roots = [brentq(lambda rate: modulus(-rate), low + near * (high - low), high - near * (high - low), xtol=1e-15 * high,
-                    rtol=1e-14) for low, high in zip(poles, poles[1:])]
-    # the residue of relaxed/(s modulus(s)) at s = -rate
-    shares = [relaxed / (rate * (parts / times / (1.0 / times - rate)**2).sum()) for rate in roots]
-    k = relaxed / (relaxed + parts.sum())
-    if not abs(sum(shares) - (1.0 - k)) < 1e-11:
-        raise ValueError(f"{name}: the parts of the compliance have the sum {sum(shares)}, expected {1.0 - k}")
-    weights = np.array(shares) / sum(shares)
-    return "terms:" + ";".join(f"{1.0 / rate!r}@{weight!r}" for rate, weight in zip(roots, weights.tolist())), k
 
 
 def test_of(key, accuracy):
@@ -187,8 +155,7 @@ def header(rows):
                  "pi w R epsilon; stiffness of the spring, whose base moves at the speed, in pi w R/epsilon (-: none); time, dwell and "
                  "relaxation times in tau_0, speeds in epsilon/tau_0 (load_speed -: slow loading); "
                  "tabor = (R w^2/(E*^2 epsilon^3))^(1/3) with the relaxed E*; viscoelastic: sls:k, phi = exp(-t), or gamma:k;n, "
-                 "phi = (1/Gamma(n)) int tau^(n-1) exp(-tau) exp(-t/tau) dtau, k the relaxed over the glassy modulus, or prony:FILE, "
-                 "a table of the modulus in this folder; "
+                 "phi = (1/Gamma(n)) int tau^(n-1) exp(-tau) exp(-t/tau) dtau, k the relaxed over the glassy modulus; "
                  "end_approach: where the gap first exceeds that of the greatest tension, H = 3^(1/6) - 1, everywhere; "
                  "imbalance: work less change of energy, dissipation and losses in jumps",
         "uncertainty": "the differences from two coarser solutions, one in space and one in time, added; not below 1e-9",

@@ -90,7 +90,7 @@ static size_t count_values(const po_case *kase, po_key key) {
 static size_t varied_values(const po_case *kase, int key) {
   bool swept = false;
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
-    swept = swept || po_keys_have(kase->file->sweep[i].named, key);
+    swept = swept || kase->file->sweep[i].named.has[key];
   return swept && po_key_is_continuous(key) ? count_values(kase, key) : 0;
 }
 
@@ -102,7 +102,7 @@ static bool is_map(const po_case *kase, po_key keys[2]) {
   for (unsigned i = kase->file->sweep_count; i-- > 0;) {
     size_t of_item = 0;
     for (int key = 0; key < PO_KEY_END; ++key) {
-      if (!po_keys_have(kase->file->sweep[i].named, key))
+      if (!kase->file->sweep[i].named.has[key])
         continue;
       if (++of_item > 1 || count == 2 || varied_values(kase, key) < LEAST_VALUES)
         return false;

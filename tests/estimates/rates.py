@@ -3,9 +3,10 @@
 
     rates.py PROGRAM --count 40 --seed 1
 
-Tabor parameter, ratio of the moduli, spectrum, speed over eight decades, preload, waves and spring are drawn. Prints how
-often the errors hold and the largest true error over the stated one, each violation with its command, and the solves
-that failed. Exit code: 0 no violation and few failures, 1 otherwise."""
+Tabor parameter, ratio of the moduli, spectrum, speed over eight decades, preload, waves and spring are drawn; with
+--loaded the speed of loading and the dwell, too. Prints how often the errors hold and the largest true error over the
+stated one, each violation with its command, and the solves that failed. Exit code: 0 no violation and few failures, 1
+otherwise."""
 
 import argparse
 import concurrent.futures
@@ -18,7 +19,7 @@ import sys
 MOST_FAILURES = 0.05  # of the scenes
 
 
-def scene(seed, number, most_tabor):
+def scene(seed, number, most_tabor, loaded):
     draw = random.Random(f"{seed} {number}")
 
     def between(low, high):
@@ -32,6 +33,9 @@ def scene(seed, number, most_tabor):
         words += ["--amplitude", between(0.05, 1.5), "--wavelength", between(10.0, 40.0)]
     if draw.random() < 0.25:
         words += ["--stiffness", between(0.05, 10.0)]
+    if draw.random() < loaded:
+        words += ["--load-speed", "inf" if draw.random() < 0.1 else between(1e-3, 1e3)]
+        words += ["--dwell", draw.choice(("0", "inf")) if draw.random() < 0.3 else between(1e-3, 1e2)]
     return words
 
 
@@ -50,6 +54,10 @@ def numbers(document):
         yield "time", unloading["time"], unloading["time_error_estimate"]
     # Unloading ends at another position with other steps. The work from there until the bodies are infinitely far apart is
     # minus the energies of interaction and spring, and up to about the stored energy is dissipated still.
+    if "loading" in unloading:
+        start, error = unloading["loading"]["start"]["energies"], unloading["loading"]["error_estimate"]
+        for name in "work", "dissipated", "jumps":
+            yield f"{name} of loading", start[name], error[name]
     end, error = unloading["end"]["energies"], unloading["error_estimate"]
     yield "work until apart", end["work"] - end["adhesive"] - end["spring"], \
         error["work"] + error["adhesive"] + error["spring"] + 2.0 * end["stored"]
@@ -76,9 +84,10 @@ def main():
     parser.add_argument("--loose", default="1e-6")
     parser.add_argument("--tight", default="1e-8")
     parser.add_argument("--most-tabor", type=float, default=5.0)
+    parser.add_argument("--loaded", type=float, default=0.0, help="share of the scenes that are loaded at a speed (0)")
     parser.add_argument("--jobs", type=int, default=2)
     given = parser.parse_args()
-    jobs = [(given.program, scene(given.seed, k, given.most_tabor), given.loose, given.tight) for k in range(given.count)]
+    jobs = [(given.program, scene(given.seed, k, given.most_tabor, given.loaded), given.loose, given.tight) for k in range(given.count)]
     failures, violations, worst, count = 0, 0, {}, {}
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         for words, reason, ratios in pool.map(judge, jobs):

@@ -52,9 +52,10 @@ typedef struct {
   char *count_text;
 } po_traced_words;
 
-/* A set of keys and groups: the bit 1 << key of each. */
-typedef uint64_t po_keys;
-bool po_keys_have(po_keys keys, po_key key);
+/* A set of keys and groups. */
+typedef struct {
+  bool has[PO_KEY_VARIABLES];
+} po_keys;
 
 /* One scene. */
 typedef struct {

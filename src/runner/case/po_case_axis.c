@@ -200,8 +200,3 @@ bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request
   return true;
 }
 
-_Static_assert(PO_KEY_VARIABLES <= 64, "the keys of a case are bits of po_keys");
-
-bool po_keys_have(po_keys keys, po_key key) {
-  return keys >> key & 1U;
-}

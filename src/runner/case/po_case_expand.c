@@ -50,17 +50,24 @@ const char *po_case_swept_text(const po_case *kase, const po_point *point, unsig
                         key);
 }
 
-/* A key, and that which it sets if it is a group. Of one in SI units, all of the block follows. */
-static po_keys varied_by(po_key key) {
-  return UINT64_C(1) << key | UINT64_C(1) << (po_case_is_in_si(key) ? key : po_key_target(key));
+/* Adds a key, and that which it sets if it is a group. Of one in SI units, all of the block
+ * follows. */
+static void add_varied_by(po_key key, po_keys *keys) {
+  keys->has[key] = true;
+  keys->has[po_case_is_in_si(key) ? key : po_key_target(key)] = true;
+}
+
+static void add_keys(const po_keys *from, po_keys *to) {
+  for (int key = 0; key < PO_KEY_VARIABLES; ++key)
+    to->has[key] = to->has[key] || from->has[key];
 }
 
 static void find_names(po_sweep *sweep) {
   for (unsigned i = 0; i < count_of_sweep(sweep); ++i)
     for (int key = 0; key < PO_KEY_VARIABLES; ++key)
       if (value_of_sweep(sweep, i, key)) {
-        sweep->named |= UINT64_C(1) << key;
-        sweep->varied |= varied_by(key);
+        sweep->named.has[key] = true;
+        add_varied_by(key, &sweep->varied);
       }
 }
 
@@ -134,7 +141,9 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
 
 /* A case may vary one of these groups: amplitude and wavelength would have to be computed from both
  * at once. */
-static const po_keys WAVINESS = UINT64_C(1) << PO_KEY_ALPHA | UINT64_C(1) << PO_KEY_AMPLITUDE_RATIO;
+static bool have_group(const po_keys *keys) {
+  return keys->has[PO_KEY_ALPHA] || keys->has[PO_KEY_AMPLITUDE_RATIO];
+}
 static const char ONE_GROUP[] = "one of alpha and amplitude_ratio";
 
 /* Checks that keys in SI units are varied beside the block `physical`, which does not give them. */
@@ -142,13 +151,13 @@ static po_status check_in_si(const po_case_file *file, const po_sweep *sweep, co
                              const po_yaml *yaml) {
   const po_scene_words *physical = file->scene.physical;
   for (int key = PO_KEY_END; key < PO_KEY_VARIABLES; ++key) {
-    if (!po_keys_have(sweep->varied, key))
+    if (!sweep->varied.has[key])
       continue;
     const char *expected = !po_case_is_in_si(key) ? "a key of the scene"
                            : !physical            ? "it beside scene.physical, as it is in SI units"
                            : physical->values[key] ? "a key that scene.physical does not give"
-                           : po_keys_have(file->swept, key) ? "each key swept once"
-                                                            : NULL;
+                           : file->swept.has[key]  ? "each key swept once"
+                                                   : NULL;
     if (expected)
       return po_fields_refuse(yaml, expected, "%s.%s", where, po_case_sweep_word(sweep));
   }
@@ -170,16 +179,16 @@ static po_status check_sweep(const po_case *kase, const po_yaml *yaml) {
     status = check_in_si(file, sweep, where, yaml);
     if (status)
       return status;
-    if (sweep->named & WAVINESS && file->swept & WAVINESS)
+    if (have_group(&sweep->named) && have_group(&file->swept))
       return po_fields_refuse(yaml, ONE_GROUP, "%s.key", where);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
-      const bool twice = po_keys_have(file->swept, key);
-      if (po_keys_have(sweep->varied, key) && (twice || file->scene.values[key]))
+      const bool twice = file->swept.has[key];
+      if (sweep->varied.has[key] && (twice || file->scene.values[key]))
         return po_fields_refuse(
             yaml, twice ? "each key swept once" : "a key that the scene does not give", "%s.%s",
             where, po_case_sweep_word(sweep));
     }
-    file->swept |= sweep->varied;
+    add_keys(&sweep->varied, &file->swept);
   }
   return PO_OK;
 }
@@ -238,14 +247,15 @@ static po_status parse_key(po_case_file *file, unsigned index, const char *where
     return po_case_refuse_key(yaml, "a key of the scene whose value is a number, and not a count",
                               is_quantity, where);
   const po_key target = po_key_target(key);
-  if (po_keys_have(file->drawn, target))
+  if (file->drawn.has[target])
     return po_fields_refuse(yaml, "each key drawn once", "%s.key", where);
-  if (file->scene.values[key] || file->scene.values[target] || po_keys_have(file->swept, target))
+  if (file->scene.values[key] || file->scene.values[target] || file->swept.has[target])
     return po_fields_refuse(yaml, "a key that neither scene nor sweep gives", "%s.key", where);
-  if (varied_by(key) & WAVINESS && (file->swept | file->drawn) & WAVINESS)
+  if ((key == PO_KEY_ALPHA || key == PO_KEY_AMPLITUDE_RATIO) &&
+      (have_group(&file->swept) || have_group(&file->drawn)))
     return po_fields_refuse(yaml, ONE_GROUP, "%s.key", where);
   draw->drawn = key;
-  file->drawn |= varied_by(key);
+  add_varied_by(key, &file->drawn);
   return PO_OK;
 }
 
@@ -275,7 +285,7 @@ static po_status parse_unit(const po_case_file *file, unsigned index, const char
   const bool is_key = unit >= 0 && is_quantity(unit) && !po_key_is_group(unit);
   bool known = is_key && file->scene.values[unit];
   for (unsigned k = 0; is_key && k < file->sweep_count; ++k)
-    known = known || po_keys_have(file->sweep[k].named, unit);
+    known = known || file->sweep[k].named.has[unit];
   for (unsigned k = 0; is_key && k < index; ++k)
     known = known || file->sample->keys[k].drawn == unit;
   if (!known)
@@ -312,7 +322,8 @@ po_status po_case_sweep_parse(po_case *kase, const po_yaml *yaml) {
   po_status status = check_sweep(kase, yaml);
   if (!status)
     status = parse_sample(file, yaml);
-  file->varied = file->swept | file->drawn;
+  file->varied = file->swept;
+  add_keys(&file->drawn, &file->varied);
   return status;
 }
 

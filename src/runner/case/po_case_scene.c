@@ -26,10 +26,10 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
     if (file->scene.values[key])
       return po_fields_refuse(yaml, NOT_BOTH, "scene.%s", PO_KEYS[key].name);
     for (unsigned k = 0; k < file->sweep_count; ++k)
-      if (po_keys_have(file->sweep[k].varied, key))
+      if (file->sweep[k].varied.has[key])
         return po_fields_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1,
                                 po_case_sweep_word(&file->sweep[k]));
-    if (po_keys_have(file->drawn, key))
+    if (file->drawn.has[key])
       return po_fields_refuse(yaml, NOT_BOTH, "scene.physical");
   }
   return PO_OK;
@@ -167,9 +167,9 @@ static po_status check_pairs(const po_case_file *file, const po_yaml *yaml) {
   const char *const *scene = (const char *const *)file->scene.values;
   for (size_t i = 0; i < sizeof PAIRS / sizeof *PAIRS; ++i) {
     const po_key key = PAIRS[i].key, other = PAIRS[i].other;
-    if (scene[other] && (scene[key] || po_keys_have(file->varied, key)))
+    if (scene[other] && (scene[key] || file->varied.has[key]))
       return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", PO_KEYS[other].name);
-    if (scene[key] && po_keys_have(file->varied, other))
+    if (scene[key] && file->varied.has[other])
       return po_fields_refuse(yaml, PAIRS[i].expected, "scene.%s", PO_KEYS[key].name);
     for (unsigned k = 0; k < file->sweep_count; ++k)
       for (unsigned n = 0; n < file->sweep[k].together_count; ++n)
@@ -254,7 +254,7 @@ static po_status parse_physical(po_case *kase, const po_yaml *yaml) {
     return status;
   kase->is_physical = true;
   for (int key = PO_KEY_END; key < PO_KEY_PROFILE_APPROACH; ++key)
-    kase->varies_units = kase->varies_units || po_keys_have(kase->file->swept, key);
+    kase->varies_units = kase->varies_units || kase->file->swept.has[key];
   kase->units = request.units;
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     char text[PO_KEY_TEXT_LENGTH];
@@ -287,7 +287,7 @@ static po_status check_settings(const po_sweep *sweep, unsigned number, const po
     const bool panels = given[PO_KEY_SCHEME] && strcmp(given[PO_KEY_SCHEME], "panel") == 0;
     for (size_t k = 0; k < NEEDED_COUNT; ++k) {
       const po_key key = NEEDED[k];
-      if (given[key] || !po_keys_have(sweep->varied, key) || (key == PO_KEY_NODES && panels) ||
+      if (given[key] || !sweep->varied.has[key] || (key == PO_KEY_NODES && panels) ||
           (key == PO_KEY_TABOR && given[PO_KEY_COUPLING]) ||
           (key == PO_KEY_RADIUS && (given[PO_KEY_PROFILE] || given[PO_KEY_PROFILE_FILE])) ||
           (key == PO_KEY_WAVELENGTH && !given[PO_KEY_AMPLITUDE]))
@@ -304,14 +304,14 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
   for (int key = 0; key < PO_KEY_END; ++key)
     if (file->scene.values[key] && !po_key_set(&request, key, file->scene.values[key]))
       return po_fields_refuse(yaml, NULL, "scene.%s", PO_KEYS[key].name);
-  const bool panels = request.mesh.scheme == PO_PANEL && !po_keys_have(file->varied, PO_KEY_SCHEME);
-  const bool wavy = request.scene.amplitude > 0 || po_keys_have(file->varied, PO_KEY_AMPLITUDE);
-  const bool waves = file->scene.values[PO_KEY_WAVES] || po_keys_have(file->varied, PO_KEY_WAVES);
+  const bool panels = request.mesh.scheme == PO_PANEL && !file->varied.has[PO_KEY_SCHEME];
+  const bool wavy = request.scene.amplitude > 0 || file->varied.has[PO_KEY_AMPLITUDE];
+  const bool waves = file->scene.values[PO_KEY_WAVES] || file->varied.has[PO_KEY_WAVES];
   const bool sphere =
-      po_profile_is_sphere(&request.scene.profile) && !po_keys_have(file->varied, PO_KEY_PROFILE);
+      po_profile_is_sphere(&request.scene.profile) && !file->varied.has[PO_KEY_PROFILE];
   for (size_t i = 0; i < NEEDED_COUNT; ++i) {
     const po_key key = NEEDED[i];
-    if (file->scene.values[key] || po_keys_have(file->varied, key) ||
+    if (file->scene.values[key] || file->varied.has[key] ||
         (key == PO_KEY_WAVELENGTH && (waves || !wavy)) || (key == PO_KEY_NODES && panels) ||
         (key == PO_KEY_TABOR && file->scene.values[PO_KEY_COUPLING]) ||
         (key == PO_KEY_RADIUS && !sphere))
@@ -321,7 +321,7 @@ static po_status check_keys(const po_case_file *file, const po_yaml *yaml) {
              PO_KEYS[key].expected);
     return po_fields_refuse(yaml, expected, "scene.%s", PO_KEYS[key].name);
   }
-  if (po_keys_have(file->varied, PO_KEY_ALPHA) && !wavy)
+  if (file->varied.has[PO_KEY_ALPHA] && !wavy)
     return po_fields_refuse(yaml,
                             "a number > 0, here, in the sweep or in the sample, as alpha varies",
                             "scene.amplitude");
@@ -375,9 +375,9 @@ po_status po_case_scene_check(po_case *kase, const po_yaml *yaml) {
     if (file->scene.values[key])
       return po_fields_refuse(yaml, EXPECTED, "scene.%s", PO_KEYS[key].name);
     for (unsigned i = 0; i < file->sweep_count; ++i)
-      if (po_keys_have(file->sweep[i].varied, key))
+      if (file->sweep[i].varied.has[key])
         return po_fields_refuse(yaml, EXPECTED, "sweep[%u]", i + 1);
-    if (po_keys_have(file->drawn, key))
+    if (file->drawn.has[key])
       return po_fields_refuse(yaml, EXPECTED, "sample");
   }
   return PO_OK;

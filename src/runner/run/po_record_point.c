@@ -111,11 +111,11 @@ static json_t *sweep(const po_case *kase, size_t point) {
   json_t *input = po_json_input(request);
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
     for (int key = 0; key < PO_KEY_END; ++key)
-      if (po_keys_have(kase->file->sweep[i].named, key))
+      if (kase->file->sweep[i].named.has[key])
         po_json_set(&object, PO_KEYS[key].name, swept_value(request, input, key));
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
     for (int key = PO_KEY_END; key < PO_KEY_VARIABLES; ++key)
-      if (po_keys_have(kase->file->sweep[i].named, key))
+      if (kase->file->sweep[i].named.has[key])
         po_json_set(&object, PO_KEYS[key].name, in_si(kase, point, i, key));
   json_decref(input);
   for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
