@@ -33,10 +33,10 @@ typedef struct {
   fenv_t floating_point;
 } po_library_call;
 
-/* Begins a function: turns off the error handler of GSL, unless another thread is in such a function
- * already; sets the locale and the floating-point environment
- * of this thread to those in which the program runs; forgets messages of earlier calls. Status:
- * PO_NO_MEMORY; then nothing has changed. */
+/* Begins a function: turns off the error handler of GSL, unless another thread is in such a
+ * function already; sets the locale and the floating-point environment of this thread to those in
+ * which the program runs; forgets messages of earlier calls. Status: PO_NO_MEMORY; then nothing has
+ * changed. */
 po_status po_library_enter(po_library_call *call);
 
 /* Ends it, whatever the status of its beginning: restores the state of the thread, and that of the

@@ -1,5 +1,6 @@
-/* In place of po_linear.c where there is no OpenBLAS: libraries that need the C library alone, and the solver in a page. The condition number is estimated by the
- * method of LAPACK's dgecon, with the sums of po_dense.c. */
+/* In place of po_linear.c where there is no OpenBLAS: libraries that need the C library alone, and
+ * the solver in a page. The condition number is estimated by the method of LAPACK's dgecon, with
+ * the sums of po_dense.c. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
