@@ -77,7 +77,8 @@ TEST(keys_with_a_dimension_have_one_in_si_units) {
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     const po_key_row *row = &PO_KEYS[key];
     const int si = po_key_in_si(key);
-    const bool speed = po_key_is_of_time(key) && key != PO_KEY_VISCOELASTIC; /* in epsilon/tau_0, beside the time in s */
+    const bool speed = po_key_is_of_time(key) &&
+                       key != PO_KEY_VISCOELASTIC; /* in epsilon/tau_0, beside the time in s */
     ck_assert_msg((row->owner != PO_OWNER_SI && (row->dimension != PO_DIMENSION_NONE || speed)) ==
                       (si >= 0),
                   "%s", row->name);
