@@ -31,7 +31,7 @@ typedef struct {
   po_status status;
 } loading;
 
-/* Distance of the approach from that of the preload that is rounding, eps. */
+/* Distance of the approach from that of the preload that is rounding, relative to 1 + the latter. */
 static const double AT_PRELOAD = 1e-9;
 
 /* Keeps the states that loading at given approach visits, until the preload. */
@@ -51,8 +51,9 @@ static bool visit_loading(const po_branch_point *point, void *data) {
   if (first)
     po_solution_copy(point->solution, l->first);
   po_solution_copy(point->solution, l->reached);
-  l->met =
-      point->load >= l->preload.load || fabs(point->approach - l->preload.approach) < AT_PRELOAD;
+  const double end = l->preload.approach;
+  l->met = point->load >= l->preload.load ||
+           fabs(point->approach - end) < AT_PRELOAD * (1.0 + fabs(end));
   return l->met;
 }
 
