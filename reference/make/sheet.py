@@ -145,7 +145,7 @@ def viscoelastic(problem, program):
              "unload_speed": p["unload_speed"], "amplitude": p.get("A", "0"), "outer_radius": p.get("outer_radius", "inf")}
     if "A" in p:
         scene["wavelength"] = p["wavelength"]
-    entry = only(read_table(STORED / "viscoelastic.csv")[1], {**scene, "stiffness": "-"})
+    entry = only(read_table(STORED / "viscoelastic.csv")[1], {**scene, "stiffness": "-", "load_speed": "-"})
     words = [f"--{key.replace('_', '-')}={value}" for key, value in scene.items()]
     answer = subprocess.run([program, "solve", *words, "--tolerance", PROGRAM_TOLERANCE, "--json"], check=True,
                             capture_output=True, text=True).stdout
