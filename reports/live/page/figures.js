@@ -32,7 +32,7 @@ export function makeFigures(part, figures, compiled, source) {
 
   function drawSolved() {
     plot.toggleAttribute('hidden', solved.length === 0);
-    const names = solved.length ? drawFigure(plot, solved, labelOfField) : [];
+    const names = solved.length ? drawFigure(plot, solved, figures[choice.value].scenes.map(([fragment]) => sceneOf(fragment).scene), labelOfField) : [];
     legend.replaceChildren(
       ...(names.length > 1 ? names : []).map((text, k) => Object.assign(document.createElement('span'), {className: `key group group${k % 6}`, textContent: text})),
     );

@@ -270,12 +270,12 @@ function variedNumbers(scenes) {
 
 // The scenes of a figure as curves: load against approach, where curves were wanted; otherwise the pull-off force against the field with
 // the most values, a curve for each combination of the other fields. Returned: {x, y, curves: [{points, name}]}.
-function curvesOfFigure(solved, labelOfField) {
+function curvesOfFigure(solved, scenes, labelOfField) {
   const unit = unitsOf(solved[0].answer).forceName;
-  const values = variedNumbers(solved.map(({scene}) => scene));
+  const values = variedNumbers(scenes);
   const names = Object.keys(values).sort((a, b) => values[b].size - values[a].size);
   const nameOf = (scene, of) => of.map((name) => `${labelOfField(name)} ${scene[name] ?? '–'}`).join(', ');
-  if (solved[0].answer.document.curve.length)
+  if (solved[0].answer.document.curve?.length)
     return {
       x: {label: 'minus the approach −Δ (ε)'},
       y: {label: `load (${unit})`},
@@ -295,9 +295,9 @@ function curvesOfFigure(solved, labelOfField) {
   };
 }
 
-// Draws the scenes of a figure that are solved: [{scene, answer}]. Load curves are cut at a little beyond their zeros, as in the paper.
-export function drawFigure(svg, solved, labelOfField) {
-  const {x, y, curves} = curvesOfFigure(solved, labelOfField);
+// Draws what is solved, [{scene, answer}], of the scenes of a figure. Load curves are cut at a little beyond their zeros, as in the paper.
+export function drawFigure(svg, solved, scenes, labelOfField) {
+  const {x, y, curves} = curvesOfFigure(solved, scenes, labelOfField);
   const points = curves.flatMap((curve) => curve.points);
   const deepest = Math.min(...points.map((p) => p.y));
   const shown = deepest < 0 ? points.filter((p) => p.y < -0.02 * deepest || p.y < 0) : points;
