@@ -260,6 +260,7 @@ static bool are_numbers(const form *f, size_t count) {
 
 /* Finds the first row of a table without names: two lines of as many numbers. */
 static bool find_rows(form *f) {
+  f->units = 0; /* a line of units that was seen has no rows */
   for (size_t k = next_line(f, 0), next = 0; k < f->count; k = next) {
     next = next_line(f, k + 1);
     for (const char *separator = ";\t ,"; *separator && next < f->count; ++separator) {

@@ -336,6 +336,7 @@ static po_status take_figure(po_solve_line *line, const po_options *options) {
                      : line->profile   ? "profile-csv"
                      : line->staircase ? "staircase"
                      : line->loop      ? "loop"
+                     : line->history   ? "history"
                      : line->smoothed  ? "smoothed"
                                        : NULL;
   if (idle)

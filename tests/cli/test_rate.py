@@ -88,6 +88,7 @@ def test_the_history_is_plotted(tmp_path):
     assert all(f">{word}<" in (tmp_path / "figure.svg").read_text() for word in ("unloading", "work", "dissipated", "stored"))
     expect(2, "*a result other than history and theories is wanted beside viscoelastic*", f"plot {scene} --want curve")
     expect(2, "*history is wanted: expected it beside viscoelastic", "plot --tabor 1 --want history")
+    expect(2, "pulloff: --history has no effect on plot: expected it to be left out", f"plot {scene} --history {tmp_path / 'history.csv'}")
 
 
 def test_si_units_are_converted():
@@ -118,6 +119,8 @@ def test_loading_and_dwell_come_before_unloading(tmp_path):
     assert len(rows) == found["unloading"]["steps"]
     printed = expect(0, "", LOADED).out
     assert "loaded   at speed 4 epsilon/tau_0 from approach -10, with 0 jumps of the contact; then held for 0.5 tau_0" in printed
+    slow = expect(0, "", LOADED.replace("--unload-speed 2", "--unload-speed 0")).out
+    assert "then held for infinitely many tau_0" in slow  # slow unloading starts at the relaxed contact, whatever the dwell
     assert "loading" not in document("solve --tabor 0.5 --preload 3 --viscoelastic sls:0.1 --unload-speed 2 --tolerance 1e-4")["unloading"]
 
 

@@ -97,6 +97,8 @@ def test_forms_give_one_table(tmp_path):
     for bare in (write(tmp_path / "b.txt", x, z, "", " "), write(tmp_path / "c.txt", x, z, "Scan 12\nspeed 2 um/s\n", "\t")):
         expect(0, "", f"profile {bare} --units um,nm --output {tmp_path / 't.csv'}")
         assert table(tmp_path / "t.csv") == made[0]
+    bare.write_text("\n".join(["1 2"] * 40 + ["x z", "um nm"]) + "\n")  # names and units below the rows hid all rows
+    expect(4, "*:41: column 1 is x: expected a finite number", f"profile {bare} --units um,nm")
     metres = write(tmp_path / "m.csv", x, [height * 1e-3 for height in z], "lateral,height")
     expect(0, "", f"profile {metres} --units um,um --output {tmp_path / 't.csv'}")
     names, rows = table(tmp_path / "t.csv")

@@ -332,12 +332,14 @@ static void print_loading(const po_request *request, const po_rate_loading *l) {
   if (!l->is_known)
     return;
   const po_rate_energy *start = &l->start.energy, *error = &l->error;
+  /* slow unloading starts at the relaxed contact, whatever the dwell */
+  const double held = request->unload_speed > 0.0 ? request->dwell : (double)INFINITY;
   char dwell[PO_NUMBER_LENGTH];
   printf("loaded   at speed %g epsilon/tau_0 from approach %.8g, with %zu %s of the contact; then "
          "held for %s tau_0\n",
          request->load_speed, l->start.approach, l->jumps,
          po_one_or_more(l->jumps, "jump", "jumps"),
-         po_number_or("%.8g", request->dwell, "infinitely many", dwell));
+         po_number_or("%.8g", held, "infinitely many", dwell));
   printf("         work %.8g +- %.1e, dissipated %.8g +- %.1e, in jumps %.8g +- %.1e, in %s "
          "epsilon\n",
          0.0 - start->work, error->work, 0.0 - start->dissipated, error->dissipated,

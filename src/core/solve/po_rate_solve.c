@@ -228,7 +228,7 @@ static void begin_unloading(unloading *u, const po_rate_point *point) {
     count_from(&before, before.time, &u->first);
     for (size_t k = 0; k < u->count; ++k)
       count_from(&before, before.time, &u->history[k]);
-    u->count -= u->keeps ? 1 : 0; /* the last one comes again */
+    u->count -= u->count > 0 ? 1 : 0; /* the last one comes again */
   }
   u->start = balance(&point->energy);
   u->begin = *point;
@@ -237,7 +237,8 @@ static void begin_unloading(unloading *u, const po_rate_point *point) {
 
 static bool visit_march(const po_rate_point *point, po_march_phase phase, void *data) {
   unloading *u = data;
-  u->status = po_deadline_check();
+  if (!u->status) /* that of an earlier phase stays */
+    u->status = po_deadline_check();
   if (u->request->watch)
     u->request->watch(u->request->watcher, point->approach, point->load);
   if (phase == PO_UNLOADING && !u->unloads)
