@@ -20,11 +20,10 @@ static const char HELP[] =
     "totals, among them how many results are identical to the last bit with those that were\n"
     "stored (see pulloff bless). The exit code is 3 if a solve failed, and otherwise 1 if a check\n"
     "does not pass (the verdicts within and slack pass), a pull-off force differs from the stored\n"
-    "one by more than 1e-9, or a case takes over a tenth more work than the stored results. "
-    "Without\n"
-    "CASE, all reference tables are checked first. CASE is a name (see pulloff list) or the path "
-    "of a YAML file. Without CASE and\n"
-    "--suite, all cases are taken except those of random, theories and rate, which take long.\n"
+    "one by more than 1e-9, or a case takes over a tenth more work than the stored results.\n"
+    "CASE is a name (see pulloff list) or the path of a YAML file. Without CASE, all reference\n"
+    "tables are checked first. Without CASE and --suite, all cases are taken except those of\n"
+    "random, theories and rate, which take long.\n"
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP
@@ -72,7 +71,7 @@ static const char *label_of(const po_finding *finding) {
 
 static void add_case(const po_case_run *run, po_text *text) {
   po_finding worst = {0};
-  size_t remarkable = 0; /* pass, and are neither identical nor within */
+  size_t remarkable = 0; /* pass, and are not within */
   for (po_finding f = {0}; po_finding_next(run, &f);) {
     remarkable += !f.plain && f.passes;
     if (f.item && isfinite(f.item->ratio) && (!worst.item || f.item->ratio > worst.item->ratio))

@@ -323,9 +323,8 @@ static po_status advance(po_march *m, double *length) {
 }
 
 /* A jump changes the load, relative to 1 + its modulus, or the contact radius, relative to 1 + the
- * radius, by more than this; at a held load the approach, eps. Where all
- * change less, the fold was not passed yet, and the base is
- * moved by more, at most by LONGEST_MOVE, eps. */
+ * radius, by more than this; at a held load the approach, eps. Where all change less, the fold was
+ * not passed yet, and the base is moved by more, at most by LONGEST_MOVE, eps. */
 static const double LEAST_JUMP = 0.01, MORE = 4.0, LONGEST_MOVE = 1e-3;
 
 static bool is_jump(const po_march *m, const po_rate_point *before, const po_rate_point *after) {

@@ -56,9 +56,9 @@ typedef struct {
 } po_march_options;
 
 /* Given: an equilibrium on panels, which the march meshes anew; the errors that the panels may
- * leave; the relaxed equilibrium at which the march starts, of loading
- * before any creep. They and the data of the options must
- * outlive the march. Status: PO_NO_MEMORY; those of po_march_run. */
+ * leave; the equilibrium at which the march starts, relaxed, or before any creep if there is
+ * loading. They and the data of the options must outlive the march. Status: PO_NO_MEMORY; those of
+ * po_march_run. */
 po_status po_march_create(po_equilibrium *e, po_allowance allowed, const po_solution *start,
                           const po_march_options *options, po_march **march);
 void po_march_destroy(po_march *march);

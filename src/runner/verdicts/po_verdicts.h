@@ -10,8 +10,7 @@
  * tolerance, verdict; then a line for each failed solve, and the totals. */
 void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text);
 
-/* Adds the totals: "69 checks pass (2 slack), 1 does not (1 outside), 0 solves failed".
- */
+/* Adds the totals: "69 checks pass (2 slack), 1 does not (1 outside), 0 solves failed". */
 void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text);
 
 /* Adds TAP 13: a line for each check, for each failed solve (`not ok`), and for the comparison of a

@@ -91,7 +91,7 @@
     HELP("range of the attraction with which a pull-off is found: exact, the true one; reduced, several greater " \
          "ones and their limit; auto, the latter where contact edges are very narrow or the solve fails or is long (default auto)")) \
   X(VISCOELASTIC, "viscoelastic", WORDS(PO_CREEP_EXPECTED), NUMBER, TRACE, NO_PLACE, CONSTANT, SERIES, "MATERIAL", \
-    HELP("viscoelastic half-space, loaded slowly (--load-speed) to the preload and unloaded at --unload-speed: sls:K, the standard " \
+    HELP("viscoelastic half-space, loaded slowly, or at --load-speed, to the preload and unloaded at --unload-speed: sls:K, the standard " \
          "linear solid, gamma:K,N, the Gamma spectrum with the exponent N, or prony:FILE, a table of times and weights of " \
          "the modulus or the compliance; K is the ratio of the relaxed to the glassy modulus, and --tabor belongs to the " \
          "relaxed one (default: elastic)")) \
@@ -102,7 +102,8 @@
          "slow loading, after which the body is relaxed at the preload (default 0)")) \
   X(DWELL, "dwell", NOT_NEGATIVE_OR_INFINITE, NUMBER, TRACE, PLACE(dwell), VARIES, SERIES, "T", \
     HELP("time in tau_0 for which the preload is held after loading at --load-speed: the load, if loading ended there, " \
-         "or the approach; inf: until the body is relaxed (default inf)")) \
+         "or the approach; inf: until the body is relaxed, as it always is after slow loading and before unloading at " \
+         "speed 0 (default inf)")) \
   X(TIME_LIMIT, "time_limit", POSITIVE, NUMBER, TRACE, PLACE(time_limit), CONSTANT, SERIES, "S", \
     HELP("processor time after which a solve is stopped, in seconds (default: no limit)"))
 
