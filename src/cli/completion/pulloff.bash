@@ -31,8 +31,8 @@ _pulloff() {
     words=$("$program" list 2>/dev/null | awk 'NR > 1 { print $1 }')
     action=(-f -X '!*.yaml')
     ;;
-  *:--output | *:--run) case $verb in contact-law | profile) action=(-f) ;; *) action=(-d) ;; esac ;;
-  *:--curve | *:--profile-csv | *:--profile-file | *:--staircase | *:--loop | *:--summary | *:--plot | *:--junit)
+  *:--output | *:-o | *:--run) case $verb in contact-law | profile) action=(-f) ;; *) action=(-d) ;; esac ;;
+  *:--curve | *:--profile-csv | *:--profile-file | *:--smoothed | *:--staircase | *:--loop | *:--history | *:--summary | *:--plot | *:--junit)
     action=(-f)
     ;;
   *:--*) words=$(_pulloff_values "$program" "$verb" "$before") ;;
@@ -49,7 +49,7 @@ _pulloff() {
       words=$("$program" list 2>/dev/null | awk 'NR > 1 { print $1 }')
       action=(-f -X '!*.yaml')
       ;;
-    *:plot) action=(-f) ;;
+    *:plot | *:fit | *:profile | *:seal) action=(-f) ;;
     *:conform) action=(-f -X '!*.yaml') ;;
     *:merge) action=(-d) ;;
     *:theory) words=$(_pulloff_names "$program" theory) ;;
