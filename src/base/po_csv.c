@@ -198,9 +198,23 @@ static bool compute_digest(const po_text *text, char digest[PO_DIGEST_LENGTH]) {
   return line < end;
 }
 
+/* Whether the first cell of a line is a number, and not a name such as "1st height". */
+static bool begins_with_number(const char *line) {
+  char cell[PO_NUMBER_LONGEST];
+  double value = 0;
+  line += strspn(line, " \t\"");
+  const size_t length = strcspn(line, ",\"");
+  if (length >= sizeof cell)
+    return false;
+  memcpy(cell, line, length);
+  cell[length] = '\0';
+  trim(cell);
+  return po_number_parse(cell, &value);
+}
+
 /* Takes the line of names; if the first line is a row, names the columns and takes the row. */
 static po_status begin_columns(po_csv *csv, char *line, size_t number, table_rules rules) {
-  if (!rules.is_export || !strchr("+-.0123456789", line[strspn(line, " \t\"")]))
+  if (!rules.is_export || !begins_with_number(line))
     return set_columns(csv, line, number, rules.is_export);
   const po_status status = number_columns(csv, line, number);
   return status ? status : add_row(csv, line, number, true);

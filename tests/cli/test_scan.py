@@ -86,6 +86,7 @@ def test_forms_give_one_table(tmp_path):
              write(tmp_path / "3.csv", x, low, "x/μm  depth/nm", "  "),
              write(tmp_path / "4.txt", x, z, "  Profile 1\n  x          y\n  [µm]       [nm]", "    "),
              write(tmp_path / "5.csv", x, z, "Länge (µm);Höhe (nm)", ";", True, "latin-1"),
+             write(tmp_path / "7.csv", x, z, "1. lateral (um),2nd height (nm)"),  # names that begin with a digit are no row
              write(tmp_path / "6.csv", x, z, "x;z;x;z\n(um);(nm);(um);(nm)", ";")]
     lines = forms[-1].read_text().splitlines()  # two curves side by side, the second one shorter
     forms[-1].write_text("\n".join(lines[:2] + [f"{row};{row if k < 50 else ';'}" for k, row in enumerate(lines[2:])]) + "\n")

@@ -213,7 +213,7 @@ static void print_wanted(const po_request *request, const po_result *o) {
     print_no_profile(request);
     return;
   }
-  printf("profile  %zu %s at approach %.8g%s; --profile FILE or --json writes them\n",
+  printf("profile  %zu %s at approach %.8g%s; --profile-csv FILE or --json writes them\n",
          o->profile_count, po_one_or_more(o->profile_count, "radius", "radii"),
          o->profile_approach * at.length, at.of_length);
   printf("annuli   in contact: ");
