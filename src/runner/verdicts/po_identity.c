@@ -107,12 +107,15 @@ static void count_point(const po_case_run *run, size_t point, const po_point_ide
 static void describe_results(const po_case_run *run, const comparison *found, po_text *lines) {
   const po_case *kase = run->plan->kase;
   const po_identity *counts = found->counts;
-  po_text_add(lines,
-              "%s: %zu of %zu %s not the stored ones; the pull-off force of %s differs "
-              "most, by %.2g of %.10g: ",
-              kase->file->name, counts->compared - counts->identical, counts->compared,
-              po_one_or_more(counts->compared, "result is", "results are"),
-              kase->points[found->point].label, counts->largest, found->stored);
+  const char *label = kase->points[found->point].label;
+  po_text_add(lines, "%s: %zu of %zu %s not the stored ones; ", kase->file->name,
+              counts->compared - counts->identical, counts->compared,
+              po_one_or_more(counts->compared, "result is", "results are"));
+  if (isinf(counts->largest))
+    po_text_add(lines, "only one of both results of %s has a pull-off force: ", label);
+  else
+    po_text_add(lines, "the pull-off force of %s differs most, by %.2g of %.10g: ", label,
+                counts->largest, found->stored);
   add_oracles(run, found->point, lines);
   po_text_add(lines, "\n");
 }
