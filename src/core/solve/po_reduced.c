@@ -324,7 +324,9 @@ static po_status conclude(search *s, const po_range_follower *f, bool is_traced,
   status = po_range_limit_take(&s->ranges, &points, s->pull_off.last, result);
   result->pull_off.force_error =
       fmax(result->pull_off.force_error, s->greatest - result->pull_off.force);
-  const double excess = excess_of(&s->ranges, &s->pull_off);
+  const double by_others =
+      result->pull_off.force_error / (request->mesh.tolerance * result->pull_off.force);
+  const double excess = fmax(excess_of(&s->ranges, &s->pull_off), by_others);
   return status ? status : excess > PO_MOST_EXCESS ? inaccurate(request, result, excess) : PO_OK;
 }
 
