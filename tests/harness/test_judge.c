@@ -45,6 +45,18 @@ TABLE_TEST(a_tolerance_is_measured_by_the_worst_error_it_met, TOLERANCES) {
     ck_assert_int_eq(verdict_of((size_t)point) == PO_SLACK, point == TOLERANCES[_i].slack);
 }
 
+/* The reference is 1.5 with tolerance 1e-3. */
+static const struct {
+  double obtained;
+  po_verdict verdict;
+} BESIDE[] = {{1.5009, PO_WITHIN}, {1.4991, PO_WITHIN}, {1.502, PO_OUTSIDE}, {1.498, PO_OUTSIDE}};
+
+TABLE_TEST(an_error_of_either_sign_is_judged, BESIDE) {
+  const size_t place = found(ORACLE, 0, "pull_off_force", "", BESIDE[_i].obtained, 1.5, 1e-10);
+  po_judge_tolerances(&made_run.check_results);
+  ck_assert_str_eq(PO_VERDICTS[verdict_of(place)], PO_VERDICTS[BESIDE[_i].verdict]);
+}
+
 /* With tolerance 1e-12 and value 2, rounding alone is more than a thousandth of the tolerance. */
 TEST(rounding_is_an_error_too) {
   made_checks[ORACLE].tolerance = 1e-12;
