@@ -201,17 +201,17 @@ static po_status compare_stored(verify_line *line, po_text *lines) {
   const po_session *session = &line->session;
   line->identities = po_allocate(session->run_count, sizeof *line->identities);
   po_status status = line->identities ? PO_OK : PO_NO_MEMORY;
-  for (size_t r = 0; !status && r < session->run_count; ++r)
+  for (size_t r = 0; !status && r < session->run_count; ++r) {
     status = po_identity_compare(&session->runs[r], &line->identities[r], lines);
+    line->identities[r].exact = line->identical;
+  }
   return status;
 }
 
 /* Prints what is not as it was stored. Returned: whether that is a failure. */
 static bool print_stored(const verify_line *line, const po_text *lines) {
   const po_identity sum = po_identity_sum(line->identities, line->session.run_count);
-  const bool differs =
-      !po_identity_passes(&sum) ||
-      (line->identical && (sum.identical < sum.compared || sum.other_work || sum.other_scenes));
+  const bool differs = !po_identity_passes(&sum);
   po_text text = {0};
   if (differs)
     po_text_add(&text, "%s", po_text_string(lines));

@@ -63,6 +63,11 @@ expect 1 '*' verify good --output run --identical
 says '^good: 1 of 3 results are not the stored ones; the pull-off force of radius=100 differs most, by .*: zero can judge it$'
 expect 1 '*' verify good --output run --identical --tap
 says '^# good: 1 of 3 results'
+says '^not ok 4 - good stored_results/pin$'
+expect 1 '*' verify good --output run --identical --junit identical.xml
+check 'a result that is not identical is a failed test' grep -q 'stored_results/pin"><failure' identical.xml
+expect 0 '*' verify good --output run --tap
+says '^ok 4 - good stored_results/pin$'
 
 # An oracle whose name is part of that of another one was left out, and a table that does not exist was named.
 cp "$folder/good.yaml" first.yaml
@@ -124,6 +129,8 @@ expect 0 '*' verify good --output run
 silent 'results are\|scenes'
 expect 1 '*' verify good --output run --identical
 says '^good: its scenes are not those whose results were stored, and none is compared; pulloff bless good --reason TEXT stores '
+expect 1 '*' verify good --output run --identical --tap
+says '^not ok 4 - good stored_results/pin$'
 expect 0 '*' bless good --reason 'the other way round' --output run
 says '^cases/pins/good.csv: 3 results, 3 new$'
 expect 0 '*' verify good --output run --identical

@@ -167,7 +167,13 @@ po_status po_identity_compare(const po_case_run *run, po_identity *identity, po_
 }
 
 bool po_identity_passes(const po_identity *identity) {
-  return !identity->beyond && !identity->more_work;
+  const bool differs =
+      identity->identical < identity->compared || identity->other_work || identity->other_scenes;
+  return !identity->beyond && !identity->more_work && !(identity->exact && differs);
+}
+
+bool po_identity_counts(const po_identity *identity) {
+  return identity->compared || (identity->exact && identity->other_scenes);
 }
 
 po_identity po_identity_sum(const po_identity *identities, size_t count) {
@@ -180,7 +186,8 @@ po_identity po_identity_sum(const po_identity *identities, size_t count) {
                         .other_work = sum.other_work + one->other_work,
                         .more_work = sum.more_work + one->more_work,
                         .other_scenes = sum.other_scenes + one->other_scenes,
-                        .largest = fmax(sum.largest, one->largest)};
+                        .largest = fmax(sum.largest, one->largest),
+                        .exact = sum.exact || one->exact};
   }
   return sum;
 }

@@ -27,6 +27,7 @@ typedef struct {
                                  tenth above that of the pins */
   size_t other_scenes;        /* cases that are not compared: their pins are of other scenes */
   double largest;             /* difference of the pull-off force of different results, relative */
+  bool exact;                 /* whether every difference fails; false after a comparison */
 } po_identity;
 
 /* Compares the requested points of a finished run.
@@ -36,9 +37,12 @@ typedef struct {
  * Status: as above. */
 po_status po_identity_compare(const po_case_run *run, po_identity *identity, po_text *lines);
 
-/* Reports whether a case passes: no force differs by more than rounding, and there is no more work.
- */
+/* Reports whether a case passes: no force differs by more than rounding, and there is no more work;
+ * if it has to be exact, results and work are the stored ones. */
 bool po_identity_passes(const po_identity *identity);
+
+/* Reports whether a case has something to pass or to fail. */
+bool po_identity_counts(const po_identity *identity);
 
 /* Returned: the sum over several cases. */
 po_identity po_identity_sum(const po_identity *identities, size_t count);

@@ -111,7 +111,7 @@ void po_verdicts_tap(const po_case_run *runs, const po_identity *identities, siz
                      po_text *text) {
   size_t total = 0, number = 0;
   for (size_t r = 0; r < count; ++r) {
-    total += identities[r].compared > 0;
+    total += po_identity_counts(&identities[r]);
     for (po_finding f = {0}; po_finding_next(&runs[r], &f);)
       total += 1;
   }
@@ -125,7 +125,7 @@ void po_verdicts_tap(const po_case_run *runs, const po_identity *identities, siz
       if (!f.plain)
         po_text_add(text, "# %s\n", test.words);
     }
-    if (identities[r].compared)
+    if (po_identity_counts(&identities[r]))
       po_text_add(text, "%s %zu - %s %s\n", po_identity_passes(&identities[r]) ? "ok" : "not ok",
                   ++number, runs[r].plan->name, STORED);
   }
@@ -171,11 +171,11 @@ static void junit_suite(const po_case_run *run, const po_identity *identity, po_
   const size_t failures = po_case_run_failures(run);
   const bool passes = po_identity_passes(identity);
   po_text_add(text, "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" time=\"%.3f\">\n",
-              run->plan->name, run->check_results.count + failures + (identity->compared > 0),
+              run->plan->name, run->check_results.count + failures + po_identity_counts(identity),
               po_case_run_outside(run) + failures + !passes, run->elapsed);
   for (po_finding f = {0}; po_finding_next(run, &f);)
     junit_test(run, &f, text);
-  if (identity->compared)
+  if (po_identity_counts(identity))
     po_text_add(text, "    <testcase classname=\"%s\" name=\"%s\"%s\n", run->plan->name, STORED,
                 passes ? "/>" : "><failure message=\"other than the stored ones\"/></testcase>");
   po_text_add(text, "  </testsuite>\n");
