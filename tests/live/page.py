@@ -419,17 +419,22 @@ def the_axes_of_the_paper_are_a_choice(reader, _):
 
 
 def body_and_surface_are_drawn(reader, _):
-    """The distance of the two in the picture is the gap of the figure beside it."""
+    """Both are symmetric, the apex of the body is at minus the approach, and the surfaces touch or are apart."""
     for fragment in ("#tabor=3&amplitude=1&wavelength=20", "#coupling=0.5&profile=punch&punch-b=8&punch-r=40", "#from-physical&modulus-pa=1e9&work-j-per-m2=0.05&distance-m=4e-10&radius-m=2e-8"):
         reader.open(fragment)
         drawn = reader.browser.evaluate("""(() => {
           const places = (id, kind) => [...document.querySelector(`#${id} .curve.${kind}`).getAttribute('d').matchAll(/[ML]([-\\d.]+) ([-\\d.]+)/g)].map((m) => [Number(m[1]), Number(m[2])]);
-          return {body: places('bodies', 'body'), surface: places('bodies', 'half-space')};
+          const ticks = [...document.querySelectorAll('#bodies .frame text[text-anchor=end]')].map((tick) => [Number(tick.getAttribute('y')) - 4, Number(tick.textContent.replace('−', '-'))]);
+          return {body: places('bodies', 'body'), surface: places('bodies', 'half-space'), ticks};
         })()""")
         body, surface = drawn["body"], drawn["surface"]
         assert len(body) == len(surface) > 40 and all(a[0] == b[0] for a, b in zip(body, surface))
         middle = (body[0][0] + body[-1][0]) / 2
         assert all(abs(a[0] + b[0] - 2 * middle) < 1 and abs(a[1] - b[1]) < 0.02 for a, b in zip(body, body[::-1])), "not symmetric"
+        (low, at_low), (high, at_high) = drawn["ticks"][0], drawn["ticks"][-1]
+        apex = at_low + (min(body, key=lambda place: abs(place[0] - middle))[1] - low) / (high - low) * (at_high - at_low)
+        approach = float(re.search(r"at approach (\S+)", reader.text("state"))[1].replace("−", "-"))
+        assert abs(apex + approach) < 0.01 * abs(at_high - at_low) + 0.02, (apex, approach)
         apart = [s[1] - b[1] for b, s in zip(body, surface) if abs(b[0] - middle) < 100]
         assert min(apart) > -12 and max(apart) > min(apart), apart
 
