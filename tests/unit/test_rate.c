@@ -167,6 +167,17 @@ TEST(steps_are_of_second_order) {
   ck_assert_double_lt(fabs(work[0] - work[1]), 0.1);
 }
 
+/* Where an edge moved by more than its width in a step, the history kept ripples behind it, and the
+ * mesh four times as many nodes. */
+TEST(an_edge_leaves_no_trail) {
+  po_request request = rate_of(20.0, 0.0, 1.0, SOLID, 10.0);
+  request.mesh.tolerance = 1e-2;
+  po_result result = solved(&request);
+  ck_assert_uint_lt(result.work.nodes, 600);
+  ck_assert_double_eq_tol(result.pull_off.force, 6.2124, 3e-3);
+  po_result_clear(&result);
+}
+
 /* The balance of energy of every step, and the dissipation, which never falls. Through a spring,
  * with a jump; and of a wavy sphere. */
 LOOP_TEST(energy_is_balanced_and_dissipation_is_positive, 0, 3) {

@@ -306,13 +306,13 @@ static po_status advance(po_march *m, double *length) {
     const po_status status = po_march_solve(m, &scene);
     if (status && status != PO_NOT_CONVERGED)
       return status;
-    const double aim = m->options.misfit;
+    const double aim = m->options.misfit / (m->options.halving * m->options.halving);
     const double misfit = status ? INFINITY : po_march_misfit(m);
     *length = h;
     if (misfit <= REFUSED * aim) {
       po_march_finish(m, &scene);
       const double wish = AIM * sqrt(aim / fmax(misfit, 1e-300));
-      m->cap = h * fmin(GROWTH, m->options.like ? fmax(1.0, FREER * wish) : wish);
+      m->cap = h * fmin(GROWTH, m->options.like && misfit <= aim ? fmax(1.0, FREER * wish) : wish);
       return PO_OK;
     }
     if (h < SHORTEST && is_glassy(m, &scene))

@@ -15,15 +15,18 @@
 #include "po_law.h"
 #include "po_march_parts.h"
 
-/* x of the first step, and the factors by which it grows after a step and falls if no equilibrium
- * is found or the gap changes too much. */
+/* x of the first step, and the factors by which it grows at most after a step and falls if no
+ * equilibrium is found or the gap changes too much. */
 static const double FIRST = 1.0, GROWTH = 2.0, CUT = 0.25, LEAST = 1e-8;
 
-/* Greatest change of the gap in a step, relative to 1 + H, and greatest x, beyond which the last
- * step is the equilibrium itself. */
-static const double GREATEST_CHANGE = 1.0, LONG = 1e4, SETTLED = 0.05;
+/* Change of the gap that a step aims at and greatest one, relative to 1 + H. */
+static const double AIM = 0.6, GREATEST_CHANGE = 1.0;
 
-enum { MOST_STEPS = 2000 };
+/* Change of a step over x, at which a state misses the equilibrium by rounding. */
+static const double STILL = 1e-12;
+
+/* An edge moves by about a third of its width a step, and passes the whole contact. */
+enum { MOST_STEPS = 1000000 };
 
 /* The greatest change of the gap of a step, relative to 1 + H, in the core. */
 static double change_of(const po_march *m) {
@@ -92,8 +95,7 @@ po_status po_march_jump(po_march *m, double length) {
   const double instant = m->speed > 0.0 ? m->options.terms->instant : 1.0;
   double x = FIRST, left = length;
   for (int step = 0; step < MOST_STEPS && x > LEAST; ++step) {
-    const bool last = x > LONG;
-    po_march_scene scene = {.length = left, .relaxing = true, .part = last ? 1.0 : x / (1.0 + x)};
+    po_march_scene scene = {.length = left, .relaxing = true, .part = x / (1.0 + x)};
     scene.factor = scene.part * instant;
     m->e->factorized = false; /* the factors of a fold are so inaccurate that nothing moves */
     const po_status status = po_march_solve(m, &scene);
@@ -106,7 +108,7 @@ po_status po_march_jump(po_march *m, double length) {
     }
     move_on(m);
     left = 0.0;
-    if (last && change < SETTLED) {
+    if (change < STILL * x) {
       po_march_bring(m);
       scene.length = 0.0;
       const po_status again = po_march_solve(m, &scene);
@@ -121,7 +123,7 @@ po_status po_march_jump(po_march *m, double length) {
       arrive(m, &scene, energy, &before, length);
       return PO_OK;
     }
-    x *= GROWTH;
+    x *= fmin(GROWTH, AIM / change);
   }
   return po_fail(PO_STEP_TOO_SMALL,
                  "no stable equilibrium follows a jump of the contact at approach %.6g, load %.6g",

@@ -113,9 +113,12 @@ po_march_scene po_march_scene_of(const po_march *m, double length);
  */
 po_status po_march_solve(po_march *m, const po_march_scene *scene);
 
-/* Completes m->next after a step: history, energies, rates. Returned: the misfit of the traction.
- */
+/* The misfit of a step to m->next: the change of the traction against that of the step before, at
+ * the same rate; its integral relative to 1 + the load, or, where that is more, its greatest value
+ * relative to the greatest tension, on the scale of options.misfit. */
 double po_march_misfit(const po_march *m);
+
+/* Completes m->next after a step: history, energies, rates. */
 void po_march_finish(po_march *m, const po_march_scene *scene);
 
 /* Energies of interaction and spring of m->next, and its stored energy. */

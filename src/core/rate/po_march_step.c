@@ -235,15 +235,26 @@ static void traction_before(const po_march *m, double *traction) {
   memcpy(m->e->traction, m->traction, m->e->n * sizeof *traction);
 }
 
+/* The local misfit, over the greatest tension, that is as much as the misfit that is allowed. A
+ * narrow edge is little of the load; where it moves by more than its width in a step, it leaves a
+ * trail of ripples in the history, which the mesh then has to resolve. */
+static const double LOCAL = 0.3;
+
 double po_march_misfit(const po_march *m) {
   const po_surface *s = m->e->surface;
   const double h = m->next.point.moved - m->here.point.moved;
   const double *rate = po_march_field(&m->here, PO_OF_TRACTION);
+  const po_law *law = &m->e->scene->law;
+  const double tension = -po_law_at(law, po_law_numbers_of(law)->peak_gap).traction;
   traction_before(m, m->other);
-  double sum = 0.0;
-  for (size_t j = 0; j < m->e->n; ++j)
-    sum += s->weight[j] * fabs(m->traction[j] - m->other[j] - h * rate[j]);
-  return 2.0 / m->e->radius * sum / (1.0 + fabs(m->next.point.load));
+  double sum = 0.0, greatest = 0.0;
+  for (size_t j = 0; j < m->e->n; ++j) {
+    const double misfit = fabs(m->traction[j] - m->other[j] - h * rate[j]);
+    sum += s->weight[j] * misfit;
+    greatest = fmax(greatest, misfit);
+  }
+  return fmax(2.0 / m->e->radius * sum / (1.0 + fabs(m->next.point.load)),
+              greatest / (LOCAL * tension) * m->options.misfit);
 }
 
 /* 2/R times the integral of a traction times a deflection. */
