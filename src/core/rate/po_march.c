@@ -34,8 +34,8 @@ static po_status allocate(po_march *m) {
     states[k]->panels = po_arena_reserve(&m->arrays, 1, sizeof *states[k]->panels);
     states[k]->field = po_arena_reserve(&m->arrays, m->fields * capacity, sizeof(double));
   }
-  double **const vectors[] = {&m->bare,   &m->creep,    &m->guess, &m->solved,
-                              &m->border, &m->traction, &m->other, &m->shape};
+  double **const vectors[] = {&m->bare,     &m->creep, &m->guess, &m->solved, &m->border,
+                              &m->traction, &m->other, &m->shape, &m->forces, &m->forces_before};
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     *vectors[k] = po_arena_reserve(&m->arrays, size, sizeof(double));
   m->shape_panels = po_arena_reserve(&m->arrays, 1, sizeof *m->shape_panels);

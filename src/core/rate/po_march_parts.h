@@ -63,7 +63,9 @@ struct po_march {
   double *bare;                                   /* initial gap f at the nodes */
   double *creep;                                  /* the history at the nodes: what is added to f */
   double *guess, *solved, *border, *traction, *other; /* n + 1: work */
-  double *shape; /* n: H - f of the mesh before, with its panels */
+  double *forces,
+      *forces_before; /* n: tractions with the weights of the load, see po_march_step.c */
+  double *shape;      /* n: H - f of the mesh before, with its panels */
   po_panels *shape_panels;
   double part; /* of the load on the spring, see po_march_jump.c */
   po_march_phase phase;

@@ -257,12 +257,11 @@ double po_march_misfit(const po_march *m) {
               greatest / (LOCAL * tension) * m->options.misfit);
 }
 
-/* 2/R times the integral of a traction times a deflection. */
-static double product(const po_march *m, const double *traction, const double *deflection) {
-  double sum = 0.0;
+/* A traction with the weights of the load: its dot product with a deflection is 2/R times the
+ * integral of both. */
+static void weigh(const po_march *m, const double *traction, double *forces) {
   for (size_t j = 0; j < m->e->n; ++j)
-    sum += m->e->surface->weight[j] * traction[j] * deflection[j];
-  return 2.0 / m->e->radius * sum;
+    forces[j] = 2.0 / m->e->radius * m->e->surface->weight[j] * traction[j];
 }
 
 void po_march_measure(po_march *m) {
@@ -276,7 +275,9 @@ void po_march_measure(po_march *m) {
     deflected += e->surface->weight[j] * e->traction[j] *
                  (po_march_field(to, PO_OF_DEFLECTION)[j] + m->solved[e->n]);
   energy->adhesive = po_equilibrium_energy(e, m->solved) - deflected / e->radius;
-  energy->stored = 0.5 * t->instant * product(m, m->traction, po_march_field(to, PO_OF_INSTANT));
+  weigh(m, m->traction, m->forces);
+  energy->stored =
+      0.5 * t->instant * po_linear_dot(e->n, m->forces, po_march_field(to, PO_OF_INSTANT));
   for (size_t k = 0; k < t->count; ++k)
     if (t->term[k].weight > 0.0)
       energy->stored += 0.5 * to->square[k] / t->term[k].weight;
@@ -323,9 +324,12 @@ void po_march_finish(po_march *m, const po_march_scene *scene) {
   }
   to->length = h;
   memcpy(to->square, from->square, sizeof to->square);
-  const double pp[3] = {product(m, m->other, before),
-                        0.5 * (product(m, m->other, now) + product(m, m->traction, before)),
-                        product(m, m->traction, now)};
+  weigh(m, m->other, m->forces_before);
+  weigh(m, m->traction, m->forces);
+  const double pp[3] = {
+      po_linear_dot(n, m->forces_before, before),
+      0.5 * (po_linear_dot(n, m->forces_before, now) + po_linear_dot(n, m->forces, before)),
+      po_linear_dot(n, m->forces, now)};
   double lost = 0.0;
   for (size_t k = 0; k < t->count; ++k) {
     const po_creep_step *s = &scene->step[k];
@@ -333,8 +337,8 @@ void po_march_finish(po_march *m, const po_march_scene *scene) {
     const double *u = po_march_field(from, PO_OF_CREEP + k);
     double *v = po_march_field(to, PO_OF_CREEP + k);
     if (c > 0.0)
-      lost +=
-          dissipate(s, c, product(m, m->other, u), product(m, m->traction, u), pp, &to->square[k]);
+      lost += dissipate(s, c, po_linear_dot(n, m->forces_before, u), po_linear_dot(n, m->forces, u),
+                        pp, &to->square[k]);
     for (size_t j = 0; j < n; ++j)
       v[j] = s->e * u[j] + c * (s->a * before[j] + s->b * now[j]);
   }
@@ -356,13 +360,14 @@ double po_march_creep(po_march *m, double length) {
   po_march_state *s = &m->here;
   const double *instant = po_march_field(s, PO_OF_INSTANT);
   traction_before(m, m->other);
-  const double pp = product(m, m->other, instant), all[3] = {pp, pp, pp};
+  weigh(m, m->other, m->forces);
+  const double pp = po_linear_dot(s->n, m->forces, instant), all[3] = {pp, pp, pp};
   double lost = 0.0;
   for (size_t k = 0; k < t->count; ++k) {
     const po_creep_step *step = &scene.step[k];
     const double c = t->term[k].weight;
     double *u = po_march_field(s, PO_OF_CREEP + k);
-    const double pz = product(m, m->other, u);
+    const double pz = po_linear_dot(s->n, m->forces, u);
     if (c > 0.0)
       lost += dissipate(step, c, pz, pz, all, &s->square[k]);
     for (size_t j = 0; j < s->n; ++j)

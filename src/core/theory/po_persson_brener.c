@@ -5,6 +5,7 @@
 #include "po_elementary.h"
 #include "po_jkr_profile.h"
 #include "po_maugis.h"
+#include "po_root.h"
 #include "po_theory_forces.h"
 
 po_edge_law po_persson_brener_at(const po_creep_terms *terms, double x) {
@@ -48,21 +49,29 @@ static po_rate_theory state_at(const edge *e, double a, double work) {
 
 /* Bounds of ln x beyond which Gamma is w/k and w to rounding. */
 static const double LEAST_X = -60.0, GREATEST_X = 60.0;
-enum { HALVINGS = 60 };
 
-/* An implicit step of the edge: D - D_before + V da/v = 0 at the new contact radius, whose left
- * side rises with x. Given: da > 0. Returned: the state; with Gamma = w/k where the edge is
- * unstable. */
+/* An implicit step of the edge to the radius a, by da > 0, from the approach `before`. */
+typedef struct {
+  const edge *e;
+  double a, da, before;
+} edge_step;
+
+/* D - D_before + V da/v at ln x, with which it rises. */
+static double excess_at(double ln_x, const void *data) {
+  const edge_step *s = data;
+  const po_edge_law law = po_persson_brener_at(s->e->terms, po_exp(ln_x));
+  return state_at(s->e, s->a, law.work).approach - s->before +
+         s->e->speed * s->da / (law.speed * s->e->length);
+}
+
+/* Returned: the state after a step; with Gamma = w/k where the edge is unstable, and with w where
+ * it has not to move. */
 static po_rate_theory step(const edge *e, double a, double da, double before) {
-  double low = LEAST_X, high = GREATEST_X;
-  for (int k = 0; k < HALVINGS; ++k) {
-    const double middle = 0.5 * (low + high);
-    const po_edge_law law = po_persson_brener_at(e->terms, po_exp(middle));
-    const double left =
-        state_at(e, a, law.work).approach - before + e->speed * da / (law.speed * e->length);
-    *(left > 0.0 ? &high : &low) = middle;
-  }
-  const po_edge_law law = po_persson_brener_at(e->terms, po_exp(high));
+  const edge_step s = {e, a, da, before};
+  double ln_x = po_root(excess_at, &s, LEAST_X, GREATEST_X);
+  if (isnan(ln_x))
+    ln_x = excess_at(LEAST_X, &s) > 0.0 ? LEAST_X : GREATEST_X;
+  const po_edge_law law = po_persson_brener_at(e->terms, po_exp(ln_x));
   po_rate_theory state = state_at(e, a, law.work);
   state.edge_speed = law.speed * e->length;
   return state;
