@@ -86,9 +86,19 @@ def test_the_history_is_plotted(tmp_path):
     assert "energy in pi w R epsilon against position of the base" in spring
     expect(0, "", f"solve {scene} --plot {tmp_path / 'figure.svg'}")
     assert all(f">{word}<" in (tmp_path / "figure.svg").read_text() for word in ("unloading", "work", "dissipated", "stored"))
-    expect(2, "*a result other than history and theories is wanted beside viscoelastic*", f"plot {scene} --want curve")
+    expect(2, "*a result other than history, profile and theories is wanted beside viscoelastic*", f"plot {scene} --want curve")
     expect(2, "*history is wanted: expected it beside viscoelastic", "plot --tabor 1 --want history")
     expect(2, "pulloff: --history has no effect on plot: expected it to be left out", f"plot {scene} --history {tmp_path / 'history.csv'}")
+
+
+def test_the_profile_is_that_of_a_state_of_unloading(tmp_path):
+    table = tmp_path / "profile.csv"
+    scene = f"--tabor 1 --preload 5 {SOLID} 1 --tolerance 1e-4 --profile-csv {table}"
+    solved = expect(0, "", f"solve {scene} --profile-load -2").out
+    assert "radii at approach 1.22" in solved and "radius,gap,traction" in table.read_text()
+    table.unlink()
+    expect(2, "*profile.csv is not written: unloading does not pass the approach or load of the profile\n", f"solve {scene} --profile-load -5")
+    assert not table.exists()
 
 
 def test_si_units_are_converted():
@@ -361,7 +371,7 @@ def test_tables_of_materials_that_are_refused(content, message, tmp_path):
     (f"--tabor 0 {SOLID} 1", "*viscoelastic is given for a rigid scene: expected tabor > 0"),
     (f"--scheme ring {SOLID} 1", "*viscoelastic is given with the scheme ring: expected panel"),
     (f"--preload inf {SOLID} 1", "*preload is inf beside viscoelastic: expected a finite number"),
-    (f"--want curve {SOLID} 1", "*a result other than history and theories is wanted beside viscoelastic*"),
+    (f"--want curve {SOLID} 1", "*a result other than history, profile and theories is wanted beside viscoelastic*"),
     (f"--tabor 1+-0.1 {SOLID} 1", "*an uncertain input is given beside viscoelastic: expected none"),
     ("--want history", "*history is wanted: expected it beside viscoelastic"),
     ("--unload-speed-m-per-s 1 --viscoelastic sls:0.1", "*--unload-speed-m-per-s is 1: expected it with --from-physical*"),

@@ -106,6 +106,39 @@ LOOP_TEST(with_one_modulus_the_body_is_elastic, 0, SCENE_COUNT) {
   same_as_elastic(SCENES[_i], (po_creep){PO_CREEP_SLS, 1.0, 1.0}, 10.0);
 }
 
+/* With one modulus the profile at an approach or a load is that of the elastic body. Elastic
+ * profiles at a tension are those of the approach of the bodies, so a load is compressive. */
+LOOP_TEST(the_profile_is_that_of_the_elastic_body, 0, 3) {
+  po_request request = rate_of(1.0, 0.5, 4.0, ELASTIC, NAN);
+  request.want |= PO_WANT_PROFILE;
+  *(_i == 0 ? &request.profile_approach : &request.profile_load) = _i == 0 ? 3.0 : 0.5;
+  po_result a = solved(&request);
+  request.creep = (po_creep){PO_CREEP_SLS, 1.0, 1.0};
+  request.unload_speed = 1.0;
+  if (_i == 2) /* through a spring the approach is not that of the base */
+    request.stiffness = 0.4;
+  po_result b = solved(&request);
+  ck_assert_double_eq_tol(b.profile_approach, a.profile_approach, 1e-6);
+  ck_assert_uint_eq(b.annuli.held_count, 1);
+  ck_assert_double_eq_tol(b.annuli.held[0].outer, a.annuli.held[0].outer, 1e-4);
+  ck_assert_double_eq_tol(b.profile[0].gap, a.profile[0].gap, 1e-4);
+  ck_assert_double_eq_tol(b.profile[0].traction, a.profile[0].traction, 1e-3);
+  po_result_clear(&a);
+  po_result_clear(&b);
+}
+
+/* Without an approach or a load the profile is that of the greatest tension. */
+TEST(the_profile_is_at_the_pull_off) {
+  po_request request = rate_of(1.0, 0.0, 5.0, SOLID, 1.0);
+  request.want |= PO_WANT_PROFILE;
+  po_result result = solved(&request);
+  ck_assert_double_le(fabs(result.profile_approach - result.pull_off.approach),
+                      result.pull_off.approach_error);
+  ck_assert_double_eq_tol(result.annuli.held[0].outer, result.pull_off.contact_radius,
+                          result.pull_off.contact_radius_error);
+  po_result_clear(&result);
+}
+
 /* The jumps of unloading lose what the elastic loop loses in its own. */
 TEST(jumps_lose_what_the_elastic_loop_loses) {
   po_request elastic = rate_of(3.0, 1.0, 10.0, ELASTIC, NAN);

@@ -178,6 +178,9 @@ static void print_no_loop(const po_request *request, const po_result *o) {
 
 /* Says that the trace does not pass the approach or the load at which the profile is wanted. */
 static void print_no_profile(const po_request *request) {
+  const bool elastic = request->creep.kind == PO_CREEP_NONE;
+  const char *where = elastic ? "the trace" : "unloading";
+  const char *remedy = elastic ? ", see --approach-end" : "";
   greatest g = {0};
   if (isfinite(request->profile_approach))
     po_si_take(&g.length, request->profile_approach);
@@ -185,11 +188,11 @@ static void print_no_profile(const po_request *request) {
     po_si_take(&g.load, request->profile_load);
   const units u = units_of(request, &g);
   if (isfinite(request->profile_approach))
-    printf("profile  none: the trace does not pass approach %.8g%s, see --approach-end\n",
-           request->profile_approach * u.length, u.of_length);
+    printf("profile  none: %s does not pass approach %.8g%s%s\n", where,
+           request->profile_approach * u.length, u.of_length, remedy);
   else if (isfinite(request->profile_load))
-    printf("profile  none: the trace does not pass load %.8g%s, see --approach-end\n",
-           request->profile_load * u.load, u.of_load);
+    printf("profile  none: %s does not pass load %.8g%s%s\n", where, request->profile_load * u.load,
+           u.of_load, remedy);
 }
 
 /* The results of --want that are too long for the terminal: their size, and which option writes

@@ -54,16 +54,10 @@ static po_status record(po_march *m, const po_rate_point *point, bool jumped) {
   return PO_OK;
 }
 
-static void exchange(po_march_state *a, po_march_state *b) {
-  const po_march_state first = *a;
-  *a = *b;
-  *b = first;
-}
-
 /* Makes the step `next` the last state. */
 static void accept(po_march *m) {
-  exchange(&m->before, &m->held);
-  exchange(&m->held, &m->next);
+  po_march_exchange(&m->before, &m->held);
+  po_march_exchange(&m->held, &m->next);
   m->is_here = false;
 }
 
@@ -217,11 +211,11 @@ static po_status find_peak(po_march *m, const po_rate_point *before, const po_ra
     if (fabs(at - best.moved) <= 1e-9 * (x[2] - x[0]))
       break;
     if (!from_middle)
-      exchange(&m->before, &m->held);
+      po_march_exchange(&m->before, &m->held);
     m->is_here = false;
     const po_status status = side_step(m, at);
     if (!from_middle)
-      exchange(&m->before, &m->held);
+      po_march_exchange(&m->before, &m->held);
     m->is_here = false;
     if (status)
       return status == PO_NOT_CONVERGED ? PO_OK : status;
@@ -281,9 +275,9 @@ static po_status watch_peak(po_march *m, bool jumped) {
       !(middle.load <= before.load) || !(middle.load < after.load) ||
       (m->peak.found && middle.load > m->peak.at.load))
     return PO_OK;
-  exchange(&m->next, &m->after);
+  po_march_exchange(&m->next, &m->after);
   const po_status status = find_peak(m, &before, &middle, &after);
-  exchange(&m->next, &m->after);
+  po_march_exchange(&m->next, &m->after);
   return status;
 }
 
@@ -347,7 +341,7 @@ static po_status step(po_march *m, bool *jumped) {
     *jumped = !status && is_jump(m, &before, &m->next.point);
     if (status || *jumped || length > LONGEST_MOVE)
       break;
-    exchange(&m->held, &m->next);
+    po_march_exchange(&m->held, &m->next);
     m->is_here = false;
   }
   m->cap = FIRST_LENGTH;
@@ -413,6 +407,8 @@ static po_status run_phase(po_march *m) {
       status = end_at_preload(m);
     if (!status)
       status = watch_peak(m, jumped);
+    if (!status)
+      status = po_march_look(m, jumped);
     if (status)
       return status;
     accept(m);

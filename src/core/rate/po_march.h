@@ -36,6 +36,15 @@ typedef enum {
  * begin anew. Returned: true to end unloading, or any phase if the march is to end. */
 typedef bool (*po_march_visit)(const po_rate_point *point, po_march_phase phase, void *data);
 
+/* A state of unloading that is to be kept: the first with this approach (eps), load (pi w R) or
+ * position of the base (by how much it was moved back, eps). */
+typedef enum { PO_WANTED_APPROACH, PO_WANTED_LOAD, PO_WANTED_BASE } po_march_quantity;
+typedef struct {
+  po_march_quantity by;
+  double value;
+  po_solution *solution; /* receives it, without its tangent; NULL: none is wanted */
+} po_march_wanted;
+
 typedef struct {
   const po_creep_terms *terms;
   double speed;          /* of unloading, eps/tau_0; 0 and INFINITY are the elastic limits */
@@ -51,6 +60,7 @@ typedef struct {
   const struct po_march
       *like;  /* the steps are as long as those of this march, over `halving`; NULL */
   double end; /* by how much unloading moves the base, eps; NAN: until the visitor ends it */
+  po_march_wanted wanted;
   po_march_visit visit;
   void *data;
 } po_march_options;
@@ -77,6 +87,9 @@ typedef struct {
   double spread, radius_spread;
 } po_march_peak;
 po_march_peak po_march_greatest_tension(const po_march *march);
+
+/* Whether the state that is wanted was met, outside a jump. */
+bool po_march_has_wanted(const po_march *march);
 
 size_t po_march_steps(const po_march *march);
 

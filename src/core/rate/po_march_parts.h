@@ -80,11 +80,18 @@ struct po_march {
   size_t count, room, first[PO_MARCH_PHASES]; /* of the records: the first one of each phase */
   size_t jumps, loading_jumps;                /* in all; before unloading */
   po_march_peak peak;
+  bool has_wanted; /* options.wanted.solution is filled */
   po_arena arrays;
 };
 
 static inline double *po_march_field(const po_march_state *s, size_t k) {
   return s->field + k * s->n;
+}
+
+static inline void po_march_exchange(po_march_state *a, po_march_state *b) {
+  const po_march_state first = *a;
+  *a = *b;
+  *b = first;
 }
 
 /* -- po_march_mesh.c -- */
@@ -138,5 +145,10 @@ double po_march_creep(po_march *m, double length);
 /* Lets the contact jump from `held`, with the base moved by a length. Returned: m->next. Status:
  * PO_STEP_TOO_SMALL if no equilibrium is found. */
 po_status po_march_jump(po_march *m, double length);
+
+/* -- po_march_profile.c -- */
+
+/* Keeps the state that is wanted if the step from `held` to `next` leads past it. */
+po_status po_march_look(po_march *m, bool jumped);
 
 #endif

@@ -107,10 +107,12 @@ static po_status check_viscoelastic(const po_request *request) {
     return po_fail(PO_BAD_INPUT, "preload is inf beside viscoelastic: expected a finite number");
   if (request->variations > 0)
     return po_fail(PO_BAD_INPUT, "an uncertain input is given beside viscoelastic: expected none");
-  const unsigned others = request->want & ~(unsigned)(PO_WANT_HISTORY | PO_WANT_THEORIES);
-  return others ? po_fail(PO_BAD_INPUT, "a result other than history and theories is wanted beside "
-                                        "viscoelastic: expected only these")
-                : PO_OK;
+  const unsigned others =
+      request->want & ~(unsigned)(PO_WANT_HISTORY | PO_WANT_THEORIES | PO_WANT_PROFILE);
+  return others
+             ? po_fail(PO_BAD_INPUT, "a result other than history, profile and theories is wanted "
+                                     "beside viscoelastic: expected only these")
+             : PO_OK;
 }
 
 po_status po_request_check(const po_request *request) {

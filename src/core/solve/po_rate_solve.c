@@ -306,6 +306,26 @@ static void fill_terms(const po_request *request, po_creep_terms *terms,
     options->dwell = RELAXED * terms->term[terms->count - 1].time;
 }
 
+/* What the profile is wanted of; by default, the greatest tension of a march that has run. */
+static po_march_wanted wanted_of(const po_request *request, const run *ran, po_solution *solution) {
+  po_march_wanted w = {PO_WANTED_BASE, ran->peak.at.moved, solution};
+  if (!isnan(request->profile_approach))
+    w = (po_march_wanted){PO_WANTED_APPROACH, request->profile_approach, solution};
+  if (!isnan(request->profile_load))
+    w = (po_march_wanted){PO_WANTED_LOAD, request->profile_load, solution};
+  return w;
+}
+
+static po_status take_profile(const po_request *request, const po_surface *surface,
+                              const po_solution *found, po_result *o) {
+  const po_branch_point point = {.approach = po_solution_approach(found),
+                                 .n = found->core,
+                                 .node = found->node,
+                                 .gap = found->state,
+                                 .solution = found};
+  return po_contact_profile_take(&request->scene, surface, &point, o);
+}
+
 static po_status march_all(const po_request *request, const po_attempt *a, po_equilibrium *e,
                            const po_solution *start, const po_far_field *far, po_result *o) {
   po_creep_terms terms;
@@ -333,8 +353,17 @@ static po_status march_all(const po_request *request, const po_attempt *a, po_eq
   if (!status)
     status = march(request, e, start, COARSER * tolerance, options, false, &r[2]);
   options.halving = 2.0;
+  po_arena arrays = {0};
+  po_solution at = {0};
+  if (!status && request->want & PO_WANT_PROFILE) {
+    status = po_solution_allocate(&at, e->surface->capacity, &arrays);
+    options.wanted = wanted_of(request, &r[0], &at);
+  }
   if (!status)
     status = march(request, e, start, tolerance, options, request->want & PO_WANT_HISTORY, &r[1]);
+  if (!status && options.wanted.solution && po_march_has_wanted(r[1].march))
+    status = take_profile(request, e->surface, &at, o);
+  po_arena_free(&arrays);
   if (!status)
     take(a, r, far, o);
   for (int k = 0; k < 3; ++k)

@@ -288,11 +288,10 @@ po_status po_tables_write(po_table table, const char *path, const po_request *re
   po_text rows = {0};
   char approach[PO_NUMBER_LENGTH] = "";
   if (table == PO_PROFILE_TABLE && !result->profile_count)
-    return po_fail(
-        PO_BAD_INPUT,
-        "%s is not written: the trace does not pass the approach or load of the profile, see "
-        "--approach-end",
-        path);
+    return po_fail(PO_BAD_INPUT,
+                   "%s is not written: %s does not pass the approach or load of the profile%s",
+                   path, request->creep.kind == PO_CREEP_NONE ? "the trace" : "unloading",
+                   request->creep.kind == PO_CREEP_NONE ? ", see --approach-end" : "");
   po_si_unit length = {.factor = 1};
   if (request->in_si)
     length = po_si_prefixed(&request->units, PO_DIMENSION_LENGTH);
