@@ -19,11 +19,16 @@ has '^my/data/tip.csv is sealed'
 has '^tips +4 +0 +0'
 has '2 of 2 results are identical to the last bit'
 has '^measured +1 +0 +0'
-has '^wrong +repeats: 1 answers to a request of 2 repeats'
 has '^rigid:tips .*coverage 1/2 points, 2/4 checks'
 has 'rigid:tips pull_off_force, tabor=0.1: outside'
 check 'verdicts for continuous integration' test "$(grep -c '<testcase ' empty/verdicts.xml)" = 5
 check 'pins are beside the case' test -s empty/my/pins/tips.csv
+
+# The solver of the page without its repeats.
+sed -i 's/range(asked\["repeats"\])/range(1)/' empty/my/rigid.py
+check 'the solver of the page has repeats' grep -q 'range(1)' empty/my/rigid.py
+expect 1 '' conform empty/my/rigid.yaml
+check 'repeats that are lacking are wrong' grep -qE '^wrong +repeats: 1 answers to a request of 2 repeats' stdout
 
 # A table of one's own: what other programs write, and what is wrong.
 expect 2 'pulloff: seal needs the names of tables (see pulloff seal --help)' seal
