@@ -11,6 +11,7 @@ stored without its tables: --page, a step of the build, writes it with them. In 
 - `<!-- schema: NAME, ... -->` for that of definitions which are written by hand in the schema: the meaning of a key is its
   `description`, when it is null or absent its `$comment`, and the heading of that column the `$comment` of the definition;
   keys with the same texts share a row;
+- names that only a space separates stand for one table each;
 - `…` in the table of the request for the words or the parameters of the laws or profiles.
 
 Exit status: 0 the schema agrees, 1 otherwise.
@@ -145,6 +146,8 @@ def page_with_tables(text, found, schema):
     lacking = [row["key"] for row in found["input"] if f"`{row['key']}`" not in request]
     if lacking:
         sys.exit(f"doc/json.md: the table of `input` lacks {', '.join(lacking)}")
+    text = re.sub(r"^<!-- (rows|schema): (.*) -->$", lambda place: "\n\n".join(
+        f"<!-- {place[1]}: {names} -->" for names in re.split(r"(?<!,) ", place[2])), text, flags=re.M)
     for name, rows in found.items():
         text = text if name == "input" else replaced(text, rf"^<!-- rows: {name} -->$", table(name, rows), name)
     text = re.sub(r"^<!-- schema: (.*) -->$", lambda names: table_of_schema(names[1].split(", "), schema), text, flags=re.M)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A traction-separation law of one's own: carries out the recipe "a law with a parameter" of extending.md in a copy of this
+# A traction-separation law of one's own: carries out the example tests/recipes/law.recipe of extending.md in a copy of this
 # source tree, which takes a minute, and compares the pull-off force under it with that under other laws of the same w and ε.
 # Usage: own_law.sh FIGURE
 set -e

@@ -189,8 +189,7 @@ class Tests:
 
 def main():
     program, root = os.path.realpath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
-    recipes = root / "doc/extending.md" # its commands are run where its recipes were carried out (tests/recipes)
-    pages = [root / "README.md", *sorted(set(root.glob("doc/*.md")) - {recipes}), root / "doc/examples/README.md", root / "cases/README.md",
+    pages = [root / "README.md", *sorted(root.glob("doc/*.md")), root / "doc/examples/README.md", root / "cases/README.md",
              root / "reference/README.md", root / "reports/README.md"]
     with tempfile.TemporaryDirectory() as folder:
         tests = Tests(program, root, folder, "--write" in sys.argv)

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Carries out the recipes of doc/extending.md in a copy of the source tree, and runs their commands there.
+"""Carries out the examples of doc/extending.md, the files NAME.recipe of this folder, in a copy of the source tree, and
+runs their commands there.
 
     recipes.py BUILD                 all recipes; the copy is BUILD/recipes/tree and is removed at the end
-    recipes.py BUILD --only law      only the recipes whose heading contains this word
+    recipes.py BUILD --only law      only this recipe
     recipes.py BUILD --keep          keeps the copy
 
-A recipe is a section of the document. Its blocks:
+The blocks of a recipe:
 
     ```c new=PATH                a new file
     ```diff new=PATH from=OTHER  a new file: OTHER with edits
@@ -26,7 +27,9 @@ import shutil
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+NAMES = ("law", "profile", "number", "check", "case", "figure") # in the order in which they are applied to one copy
 sys.path.insert(0, str(ROOT / "tests" / "cli"))
 import documents  # noqa: E402
 
@@ -37,13 +40,19 @@ class Wrong(Exception):
     """A recipe that cannot be carried out, or whose command gives something else."""
 
 
-def recipes_of(text):
-    """(heading, blocks) of each section with blocks; a block is (kind, options, text)."""
-    for section in re.split(r"^## ", text, flags=re.M)[1:]:
-        blocks = [(kind, dict(word.split("=", 1) for word in options.split()), body)
-                  for kind, options, body in BLOCK.findall(section)]
-        if blocks:
-            yield section.splitlines()[0], blocks
+def blocks_of(text):
+    """The blocks of a recipe, each (kind, options, text)."""
+    return [(kind, dict(word.split("=", 1) for word in options.split()), body) for kind, options, body in BLOCK.findall(text)]
+
+
+def read(name):
+    """The blocks of the recipe of this name."""
+    return blocks_of((HERE / f"{name}.recipe").read_text(encoding="utf-8"))
+
+
+def touched(blocks):
+    """The files that a recipe changes, and the folders in which it makes files."""
+    return [options.get("file") or os.path.dirname(options["new"]) for _, options, _ in blocks if {"new", "file"} & set(options)]
 
 
 def edited(text, edits, name):
@@ -139,14 +148,10 @@ def failures(copy, blocks):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("build", type=pathlib.Path, help="the build folder")
-    parser.add_argument("--only", metavar="WORD", help="only the recipes whose heading contains this word")
+    parser.add_argument("--only", choices=NAMES, help="only this recipe")
     parser.add_argument("--keep", action="store_true", help="keep the copy")
     given = parser.parse_args()
-    text = (ROOT / "doc" / "extending.md").read_text(encoding="utf-8")
-    recipes = [(name, blocks) for name, blocks in recipes_of(text)
-               if given.only is None or given.only.lower() in name.lower()]
-    if not recipes:
-        parser.error(f"no recipe has {given.only} in its heading")
+    recipes = [(name, read(name)) for name in NAMES if given.only in (None, name)]
     copy, files, failed = Copy(given.build.resolve() / "recipes"), {}, False
     try:
         for name, blocks in recipes:

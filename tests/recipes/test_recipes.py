@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The test of the recipes notices what is wrong with a recipe."""
 
+import pathlib
 import unittest
 
 import recipes
@@ -24,10 +25,20 @@ class Edits(unittest.TestCase):
 
 
 class Recipes(unittest.TestCase):
-    def test_sections_and_blocks(self):
-        text = "# Page\n\n## One\n\n```c new=a.c\nint a;\n```\n\n## Two\n\nNo block.\n\n## Three\n\n```console\n$ pulloff\n...\n```\n"
-        self.assertEqual(list(recipes.recipes_of(text)),
-                         [("One", [("c", {"new": "a.c"}, "int a;\n")]), ("Three", [("console", {}, "$ pulloff\n...\n")])])
+    def test_blocks(self):
+        text = "```c new=a/a.c\nint a;\n```\n\n```diff file=b.c\n+1\n```\n\n```console\n$ pulloff\n...\n```\n"
+        blocks = recipes.blocks_of(text)
+        self.assertEqual(blocks, [("c", {"new": "a/a.c"}, "int a;\n"), ("diff", {"file": "b.c"}, "+1\n"), ("console", {}, "$ pulloff\n...\n")])
+        self.assertEqual(recipes.touched(blocks), ["a", "b.c"])
+
+    def test_the_page_names_every_file(self):
+        """The section of doc/extending.md that links to a recipe names what the recipe touches, and all are linked to."""
+        self.assertEqual(sorted(path.stem for path in recipes.HERE.glob("*.recipe")), sorted(recipes.NAMES))
+        sections = (recipes.ROOT / "doc/extending.md").read_text(encoding="utf-8").split("\n## ")
+        for name in recipes.NAMES:
+            section, = [text for text in sections if f"(../tests/recipes/{name}.recipe)" in text]
+            touched = [path for path in recipes.touched(recipes.read(name)) if path != "my"]
+            self.assertEqual([path for path in touched if (pathlib.Path(path).name if "." in path else path) not in section], [], name)
 
     def test_a_new_file_that_exists(self):
         with self.assertRaises(recipes.Wrong):
