@@ -1,18 +1,14 @@
-"""The digest of doc/json.md, by the Python function that is printed there."""
+"""The digest of doc/json.md, by the Python function doc/examples/digest.py."""
 
 import pathlib
-import re
+import runpy
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def function():
-    """The function `digest` of doc/json.md."""
-    text = (ROOT / "doc/json.md").read_text()
-    code = re.search(r"^```python\n(import hashlib\n.*?)^```$", text, re.M | re.S)[1]
-    names = {}
-    exec(compile(code, "doc/json.md", "exec"), names)  # pylint: disable=exec-used
-    return names["digest"]
+    """The function `digest` of the example."""
+    return runpy.run_path(str(ROOT / "doc/examples/digest.py"))["digest"]
 
 
 def of_result(point, keys):

@@ -7,7 +7,7 @@ Usage: schema.py PROGRAM SOURCE_TREE PAGE
   one of them, so that no property of an earlier version is left.
 - The schema must reject an added key, a missing key and a value of a wrong type: each document is changed in these
   three ways.
-- The Python function of doc/json.md must give the digests of the documents.
+- The Python function doc/examples/digest.py must give the digests of the documents.
 - PAGE, doc/json.md as it is built, must have a row for every key of every definition, and no others. Of results in SI units it states a rule.
 
 Exit status: 0 all hold, 1 otherwise, 77 python3-jsonschema is not installed.
@@ -184,7 +184,7 @@ class Tests:
             self.tell(f"{what}: {spoil.__name__} is found", not self.errors(definition, spoilt) and "valid")
 
     def sealed(self, document, what):
-        """The digest of a document, and those of the points of a record, by the function of doc/json.md."""
+        """The digest of a document, and those of the points of a record, by the function of doc/examples/digest.py."""
         of = digest.function()
         if document["schema"] == "pulloff-record/1":
             self.tell(f"{what}: digest", document["digest"] != of([point["digest"] for point in document["points"]]))

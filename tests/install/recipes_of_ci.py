@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The recipes for continuous integration in doc/cases.md and the Dockerfile: both YAML texts are valid and run the same commands; packages,
+"""The recipes for continuous integration in doc/examples/ci and the Dockerfile: both YAML texts are valid and run the same commands; packages,
 options and libraries that they name are those of the tree and of the program.
 
 Usage: recipes_of_ci.py PROGRAM SOURCE_TREE
@@ -14,15 +14,14 @@ import unittest
 import yaml
 
 PROGRAM, ROOT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
-TEXT = (ROOT / "doc/cases.md").read_text(encoding="utf-8")
 DOCKER = (ROOT / "Dockerfile").read_text(encoding="utf-8")
 
 
 def recipes():
     """Commands of each recipe, by its first key."""
     found = {}
-    for block in re.findall(r"^```yaml\n(.*?)^```", TEXT[TEXT.index("### In continuous integration"):], re.M | re.S):
-        content = yaml.safe_load(block)
+    for path in (ROOT / "doc/examples/ci").glob("*.yml"):
+        content = yaml.safe_load(path.read_text(encoding="utf-8"))
         if "jobs" in content:
             job, = content["jobs"].values()
             found["github"] = [step["run"] for step in job["steps"] if "run" in step]
