@@ -251,12 +251,11 @@ def table():
     rows = read_table(SHEET / "scoreboard.csv")[1]
     names = list(dict.fromkeys(row["program"] for row in rows))
     cells = {(row["problem"], row["program"]): row for row in rows}
-    print("| problem | certified | " + " | ".join(names) + " |\n|---|---|" + "---|" * len(names))
+    print("| problem | " + " | ".join(names) + " |\n|---|" + "---|" * len(names))
     for problem in dict.fromkeys(p["id"] for p in sheet_elastic.read_problems()):
         line = [cell(cells.get((problem, name))) for name in names]
         if any(line):
-            certified = next(row["certified"] for row in rows if row["problem"] == problem)
-            print(f"| {problem} | {certified} | " + " | ".join(line) + " |")
+            print(f"| {problem} | " + " | ".join(line) + " |")
 
 
 def cell(row):
@@ -265,8 +264,8 @@ def cell(row):
     if row["seconds"] == "nan":
         return "stopped"
     part = "" if row["answered"] == row["asked"] else f" ({row['answered']} of {row['asked']})"
-    force = "" if row["force"] in ("-", row["digits"]) else f"force {row['force']}, "
-    return f"{force}{row['digits']}{part}; {row['seconds']} s"
+    force = "" if row["force"] in ("-", row["digits"]) else f"{row['force']}, "
+    return f"{force}{row['digits']}{part}"
 
 
 def main():
