@@ -247,14 +247,14 @@ def write(given):
 
 
 def table():
-    """The stored scores, a line a problem and a column a program."""
+    """The stored scores, a line a problem that another program than pulloff was asked, and a column a program."""
     rows = read_table(SHEET / "scoreboard.csv")[1]
     names = list(dict.fromkeys(row["program"] for row in rows))
     cells = {(row["problem"], row["program"]): row for row in rows}
     print("| problem | " + " | ".join(names) + " |\n|---|" + "---|" * len(names))
     for problem in dict.fromkeys(p["id"] for p in sheet_elastic.read_problems()):
         line = [cell(cells.get((problem, name))) for name in names]
-        if any(line):
+        if any(of for of, name in zip(line, names) if name != "pulloff"):
             print(f"| {problem} | " + " | ".join(line) + " |")
 
 

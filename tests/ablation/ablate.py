@@ -34,14 +34,18 @@ TIGHT = "1e-8"
 LONGEST = 60                # processor seconds of one command
 COLUMNS = ("mechanism", "set", "scenes", "changed", "failed", "lost", "extra", "violated", "worst_error", "worst_energy",
            "moved", *(f"{name}_ratio" for name in outcome.COUNTERS))
+SMALLEST = 0.015            # change of a counter that the page shows
+SETS = {"small": "; cheap scenes of all kinds", "wavy": "", "general": "; any law, profile and number of waves",
+        "soft": "; Tabor parameters from 100 to 10,000, sharp edges, steep laws"}
 HEAD = """# The mechanisms of the solver
 
-What each mechanism of the solver is for, and what happens without it. `tests/ablation/ablate.py` switches one off at a time in a copy of the source, by an edit of a line or two (`mechanisms.toml`), and solves {scenes} scenes in {sets} sets ([how](../tests/ablation/README.md)): *small*: cheap scenes of all kinds; *wavy*; *general*: any law, profile and number of waves; *soft*: Tabor parameters from 100 to 10,000, sharp edges, steep laws. [The method](method.md) explains the mechanisms.
+What each mechanism of the solver is for, and what happens without it. `tests/ablation/ablate.py` switches one off at a time in a copy of the source, by an edit of a line or two (`mechanisms.toml`), and solves {scenes} scenes in {sets} sets ([how](../tests/ablation/README.md)): {columns}. [The method](method.md) explains the mechanisms.
 
-Entries: points of the branch and Newton iterations without the mechanism over those with it, of the scenes that are solved both times; scenes that are no longer solved; special points lost or spurious beside a solution at a tolerance of 1e-8; stated errors that this solution violates. "–": no counter changes by as much as 0.5 %, and nothing is lost. A row stays as it is until its mechanism is measured anew.
+Effects: points of the branch and Newton iterations without the mechanism over those with it, of the scenes that are solved both times; scenes that are no longer solved; special points lost or spurious beside a solution at a tolerance of 1e-8; stated errors that this solution violates. A set is named where a counter changes by 1.5 % or more, or something is lost. A row stays as it is until its mechanism is measured anew.
 
-| mechanism | what it is for |{columns}
-|---|---|{lines}
+| mechanism | what it is for | effects of switching it off |
+|---|---|---|
+{lines}
 """
 
 
@@ -180,13 +184,13 @@ def effect(row, base):
     words = []
     for key, text in (("points", "points"), ("newton_iterations", "Newton")):
         ratio = float(row[f"{key}_ratio"] or 1.0)
-        if abs(ratio - 1.0) >= 0.005:
+        if abs(ratio - 1.0) >= SMALLEST:
             words.append(f"{text} ×{ratio:.2f}")
     for key, text in (("failed", "unsolved"), ("lost", "lost"), ("extra", "spurious"), ("violated", "violated")):
         more = int(row[key]) - int(base[key])
         if more:
             words.append(f"{text} {more:+d}".replace("-", "−"))
-    return ", ".join(words) or "–"
+    return ", ".join(words)
 
 
 def page(rows):
@@ -195,12 +199,11 @@ def page(rows):
     lines = []
     for mechanism in mechanisms():
         row = rows.get(mechanism["name"])
-        cells = [effect(row[of], base[of]) if row else "not measured" for of in base]
+        effects = [f"{of}: {what}" for of in base if (what := effect(row[of], base[of]))] if row else ["not measured"]
         kept = " " + mechanism["kept"] if "kept" in mechanism else ""
-        lines.append(f"| {mechanism['name']} | {mechanism['for']}.{kept} | " + " | ".join(cells) + " |")
-    columns = "".join(f" {of} ({row['scenes']}) |" for of, row in base.items())
-    return HEAD.format(scenes=sum(int(row["scenes"]) for row in base.values()), sets=len(base), columns=columns,
-                       lines="---|" * len(base) + "\n" + "\n".join(lines))
+        lines.append(f"| {mechanism['name']} | {mechanism['for']}.{kept} | {'; '.join(effects) or '–'} |")
+    sets = ", ".join(f"*{of}* ({row['scenes']}{SETS[of]})" for of, row in base.items())
+    return HEAD.format(scenes=sum(int(row["scenes"]) for row in base.values()), sets=len(base), columns=sets, lines="\n".join(lines))
 
 
 def write_page(rows):
