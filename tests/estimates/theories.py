@@ -19,7 +19,7 @@ from draw import between, law, uniform
 
 PERCENT = {"rigid": 5, "dmt": 5, "jkr": 5, "maugis": 7, "carpick-ogletree-salmeron": 7, "pietrement-troyon": 7, "schwarz": 7,
            "guduru": 5, "kesari-lew": 5, "persson-tosatti": 5, "rumpf-rabinowicz": 5}
-PERCENT_AT_SPEED = {"jkr": 5, "persson-brener": 5, "jkr-at-once": 5, "rigid-at-once": 5}
+PERCENT_AT_SPEED = {"jkr": 5, "persson-brener": 7, "jkr-at-once": 5, "rigid-at-once": 5}
 OUTSIDE = 0.02
 PROFILES = ("sphere", "sphere", "sphere", "cone", "power", "punch", "truncated", "exact_sphere", "hyperboloid")
 

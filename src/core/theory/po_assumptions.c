@@ -24,7 +24,7 @@ static const double ELONGATION = 0.2, TOUCH = 0.05, ZONE = 0.05, FLAT = 0.06, EF
                     MANY_WAVES = 2.0, BARRIER = 0.01, NEXT_CREST = 40.0;
 
 /* The same of viscoelastic bodies (reports/rate; the case rate_speed). */
-static const double SLOW = 0.03, AT_ONCE = 0.95, EDGE_ZONE = 0.05, RELAXED = 0.15, FLATTENED = 3.0,
+static const double SLOW = 0.03, AT_ONCE = 0.95, EDGE_ZONE = 0.05, RELAXED = 0.3, FLATTENED = 3.0,
                     BEYOND = 1.02;
 
 #define STIFF                                                                                      \
