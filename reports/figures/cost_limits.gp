@@ -28,8 +28,8 @@ set ylabel 'Gflop/s' offset 1,0
 set format x '10^{%L}'; set format y '10^{%L}'
 set xrange [0.1:900]; set yrange [1:4*peak_single]
 set label 1 '(b)'
-set label 2 'double' at first 700, first 0.76*peak right font ',9'
-set label 3 'single' at first 700, first 1.25*peak_single right font ',9'
+set label 2 'double' at first 700, first 0.76*peak right
+set label 3 'single' at first 700, first 1.25*peak_single right
 set key at graph 0.98, graph 0.27
 set samples 500
 plot (memory*x < peak ? memory*x : peak) with lines linewidth 1.2 linecolor rgb black notitle, \

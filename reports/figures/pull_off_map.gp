@@ -33,10 +33,10 @@ set arrow 1 from graph 0, first mark to graph 1, first mark nohead dashtype 2 li
 do for [k = 1:label_count] {
   set object 100 + k rectangle center label_x[k], label_y[k] size character 0.8 * strlen(label_text[k]) + 0.7, \
     character 0.8 fillcolor rgb 'white' fillstyle solid noborder front
-  set label k label_text[k] at label_x[k], label_y[k] center front font ',10'
+  set label k label_text[k] at label_x[k], label_y[k] center front
 }
 set key off
-set label 99 title_text at graph 0.5, graph 1.035 center font ',10'
+set label 99 title_text at graph 0.5, graph 1.035 center
 plot for [k = 0:level_count] 'regions.dat' index k using 1:2 with filledcurves closed \
        fillcolor rgb colours[k + 1] fillstyle solid noborder notitle, \
      'lines.dat' using 1:2 with lines linewidth 0.8 linecolor rgb black notitle, \
@@ -48,7 +48,7 @@ unset arrow 1
 do for [k = 1:label_count] { unset label k; unset object 100 + k }
 
 # the sides
-set label 1 at graph 0.5, graph 1.035 center font ',10'
+set label 1 at graph 0.5, graph 1.035 center
 set grid xtics ytics
 set ytics nomirror
 set lmargin at screen 0.08; set rmargin at screen map_left - 0.028

@@ -9,12 +9,13 @@ do for [row = 1:2] {
     frame = (row - 1) * scene_count + column
     set lmargin at screen left + (column - 1) * (width + gap)
     set rmargin at screen left + (column - 1) * (width + gap) + width
-    set tmargin at screen (row == 1 ? 0.93 : 0.445); set bmargin at screen (row == 1 ? 0.60 : 0.115)
+    set tmargin at screen (row == 1 ? 0.915 : 0.445); set bmargin at screen (row == 1 ? 0.60 : 0.115)
     set xrange [begin[frame] - 0.03 * (end[frame] - begin[frame]):end[frame]]; set yrange [0:top[frame]]
     set xtics step[frame] format '%g'; set ytics auto format '%g'
     set xlabel axis_text[row] offset 0,0.4
     if (column == 1) { set ylabel '|{/:Italic W̄}| at pull-off' offset 0.5,0 } else { unset ylabel }
-    if (row == 1) { set label 1 title_text[column] at graph 0.5, graph 1.07 center font ',8' } else { unset label 1 }
+    if (row == 1) { set label 1 title_text[column] at graph 0.5, graph 1.14 center; set label 3 title_more[column] at graph 0.5, graph 1.06 center } \
+    else { unset label 1; unset label 3 }
     set label 2 sprintf('(%d)', column) at graph 0.04, graph 0.92 left
     set key off
     if (frame == key_frame) { set key at graph 0.04, graph 0.8 left top Left reverse samplen 1.5 }

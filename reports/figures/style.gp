@@ -1,5 +1,6 @@
 # Settings of all figures: terminal, typeface, palette, frame.
-# The width of 680 fills the text width of a page; font size 11 is then about 8 points, and 7 points at 85 % of that width.
+# The width of 680 fills the text width of a page; font size 11, the smallest in the report, is then 8.2 points, and 7.0 points
+# at 86 % of that width, as print.css has it.
 
 if (!exists("figure_height")) figure_height = 480
 if (!exists("figure_width")) figure_width = 680

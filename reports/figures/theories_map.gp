@@ -39,9 +39,9 @@ do for [k = 1:4] {
     set object 10 * k + l rectangle from 0.70 + 0.024 * (l - 1), 0.86 - 0.17 * (k - 1) to 0.72 + 0.024 * (l - 1), 0.9 - 0.17 * (k - 1) \
       fillcolor rgb colours[3 * (k - 1) + l] fillstyle solid noborder
   }
-  set label 10 + k kinds[k] at 0.70, 0.825 - 0.17 * (k - 1) left font ',9'
+  set label 10 + k kinds[k] at 0.70, 0.825 - 0.17 * (k - 1) left
 }
 set object 60 rectangle from 0.70, 0.18 to 0.72, 0.22 fillcolor rgb colours[13] fillstyle solid noborder
-set label 20 'none within 20 %' at 0.73, 0.2 left font ',9'
+set label 20 'none within 20 %' at 0.73, 0.2 left
 plot -1 notitle
 unset multiplot

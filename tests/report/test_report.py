@@ -193,6 +193,28 @@ class Whole(PageTest):
         for target in re.findall(r'href="#([^"]+)"', self.html):
             self.assertIn(target, names)
 
+    def test_text_in_figures_has_seven_points_on_paper(self):
+        with open(os.path.join(REPORTS, "templates", "print.css"), encoding="utf-8") as stream:
+            style = stream.read()
+        margin = float(re.search(r"@page \{ size: A4; margin: \S+ (\d+)mm", style)[1])
+        widths = {selector.removesuffix(".picture").strip(): float(width) / 100 * (210 - 2 * margin) / 25.4 * 72
+                  for selectors, width in re.findall(r"^([^\n{]*\.picture) \{ width: (\d+)%", style, re.M) for selector in selectors.split(", ")}
+        front = self.html[:self.html.index("<section")]
+        figures = re.findall(r'<figure id="([^"]*)"( class="tall")?>(.*?)</figure>', self.html, re.S)
+        self.assertGreater(len(figures), 7)
+        for name, tall, inside in figures:
+            width = widths.get("#" + name, widths["figure.tall" if tall else ".front" if f'id="{name}"' in front else ""])
+            for across, drawing in re.findall(r'<svg viewBox="\S+ \S+ ([\d.]+) .*?>(.*?)</svg>', inside, re.S):
+                sizes = {float(size) for size in re.findall(r'<text[^>]* font-size="([\d.]+)"', drawing)}
+                self.assertTrue(sizes, name)
+                for size in sizes:   # an index has 0.8 of the size of its text
+                    read = max(other for other in sizes if other == size or abs(size / other - 0.8) < 0.01)
+                    self.assertGreaterEqual(read * width / float(across), 7.0, (name, size))
+        # Figures that this run lacks: no script but those of `pulloff plot` sets another size.
+        for script in sorted(os.listdir(os.path.join(REPORTS, "figures"))):
+            with self.subTest(script=script), open(os.path.join(REPORTS, "figures", script), encoding="utf-8") as stream:
+                self.assertEqual(bool(re.search(r"font (?!'Inter,11')", re.sub("#.*", "", stream.read()))), script in ("map.gp", "picture.gp"))
+
     def test_the_pdf_has_all_sections_and_pages(self):
         if not shutil.which("pdftotext"):
             self.skipTest("pdftotext is not installed")

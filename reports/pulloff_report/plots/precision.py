@@ -34,12 +34,12 @@ def look():
     for style in ("normal", "italic"):
         font_manager.fontManager.addfont(fonts.path_of("Inter", style))
     family = font_manager.FontProperties(fname=fonts.path_of("Inter")).get_name()
-    return {"font.family": family, "font.size": 7.8, "svg.fonttype": "none",
+    return {"font.family": family, "font.size": 8.3, "svg.fonttype": "none",
             "svg.hashsalt": "pulloff", "axes.linewidth": 0.6, "axes.edgecolor": "#303030",
-            "axes.labelsize": 7.8, "xtick.labelsize": 7.6, "ytick.labelsize": 7.6,
+            "axes.labelsize": 8.3, "xtick.labelsize": 8.3, "ytick.labelsize": 8.3,
             "axes.grid": True, "grid.color": "#E6E6E6", "grid.linewidth": 0.4,
             "xtick.direction": "in", "ytick.direction": "in", "axes.axisbelow": True,
-            "legend.frameon": False, "legend.fontsize": 7.8, "text.parse_math": False}
+            "legend.frameon": False, "legend.fontsize": 8.3, "text.parse_math": False}
 
 
 def rendered(draw, *given, name, label):
@@ -135,7 +135,7 @@ def draw(chosen):
                 if drawn:
                     draw_series(axes, field, drawn)
             draw_failures(axes, field, here)
-            axes.set_title(LABELS[field], fontsize=7.8, loc="right", pad=3)
+            axes.set_title(LABELS[field], fontsize=8.3, loc="right", pad=3)
         line[0].set_ylabel(samples.scene_name(scene) + "\nerror")
     for axes in grid[-1]:
         axes.set_xlabel("seconds")

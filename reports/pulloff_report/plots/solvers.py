@@ -54,7 +54,7 @@ def draw(rows):
         axes.xaxis.set_major_formatter(ticker.FuncFormatter(decade))
         axes.yaxis.set_major_formatter(ticker.FuncFormatter(decade))
         axes.minorticks_off()
-        axes.set_title(samples.scene_name(scene), loc="left", fontsize=7.8, pad=3)
+        axes.set_title(samples.scene_name(scene), loc="left", fontsize=8.3, pad=3)
         for name, style in looks.items():
             draw_solver(axes, [row for row in samples.of(rows, scene) if row.name == name], style)
     for axes in cells[len(scenes):]:

@@ -50,7 +50,7 @@ def draw_scene(axes, found, scene, others):
         axes.annotate("", (quick.seconds, goal.relative), (goal.seconds, goal.relative),
                       arrowprops={"arrowstyle": "->", "lw": 0.9, "shrinkA": 4.5, "shrinkB": 0})
         axes.text(goal.seconds / 1.4, goal.relative / 2, f"× {goal.seconds / quick.seconds:.3g}", ha="right", va="top", fontsize=8.8)
-    axes.set_title(samples.scene_name(scene), fontsize=7.8, loc="left", pad=3)
+    axes.set_title(samples.scene_name(scene), fontsize=8.3, loc="left", pad=3)
     axes.set_xlabel("seconds")
 
 

@@ -60,13 +60,22 @@ def draw(case, name, heading, title_of, jkr, key_frame=1):
                 data[source].append(stairs(found, axis, ends[-1], source == "jkr" or point["pull_off_any"]["complete"]))
             lowest.append(min(row[0] for rows in data.values() for row in rows[-1]))
             tops.append(max(row[1] for rows in data.values() for row in rows[-1]))
+    titles = [in_two_lines(title_of(point)) for point in points]
     drawn = gnuplot.draw("staircase", {
-        "scene_count": len(points), "title_text": [title_of(point) for point in points], "end": ends, "begin": lowest,
+        "scene_count": len(points), "title_text": [first for first, _ in titles], "title_more": [second for _, second in titles],
+        "end": ends, "begin": lowest,
         "step": [tick_step(begin, end) for begin, end in zip(lowest, ends)], "jkr_text": jkr, "key_frame": key_frame,
         "top": [1.12 * value for value in tops], "figure_height": 470}, data)
     label = "Pull-off force against the largest approach and the largest load before unloading, with the JKR theory"
     return Figure(name, NUMBER, heading, Markup(svg.embeddable(drawn, name, label)),
                   caption(points, title_of, jkr), failures(case), case.record["command"])
+
+
+def in_two_lines(text):
+    """A title above a frame; its second half below the first, because frames are narrow."""
+    parts = text.split(", ")
+    middle = (len(parts) + 1) // 2
+    return ", ".join(parts[:middle]) + ("," if parts[middle:] else ""), ", ".join(parts[middle:])
 
 
 def title(point):
