@@ -36,12 +36,12 @@ def paper(judged):
     counts, robust, total = judged["counts"], judged["robust"], len(of_paper(judged))
     holding = sum(counts.get(name, 0) for name in HOLDING)
     others = [f"{counts[name]} {text[counts[name] != 1]}" for name, text in FOUND.items() if counts.get(name)]
-    text = f"Read by one convention, {holding} hold" + (f"; {listing(others)}" if others else "") + "."
+    text = f"Read by one convention, {count(holding, 'statement holds', 'statements hold')}" + (f"; {listing(others)}" if others else "") + "."
     if robust["moved"]:
         text += f" With half or twice the accuracy of the convention, {count(robust['moved'], 'verdict moves', 'verdicts move')}."
     return {"kind": "paper", "name": "The paper", "link": "claims", "link_text": "claims of the paper",
-            "headline": f"{robust['holds_always']} of {count(total, 'statement')} hold under every convention of reading and every "
-                        "preload that the numbers of the paper admit",
+            "headline": f"{robust['holds_always']} of {count(total, 'statement')} hold under every convention of reading" + (
+                " and every preload that the numbers of the paper admit" if judged["preloads"] else ""),
             "text": text, "preload": preload(judged), "sentences": judged["sentences"], "failures": [], "more": 0}
 
 

@@ -431,7 +431,7 @@ class Judged(unittest.TestCase):
         judged = claims.read(path)
         self.assertEqual(findings.paper(judged)["headline"], "2 of 3 statements hold under every convention of reading and every preload that the "
                          "numbers of the paper admit")
-        self.assertEqual(findings.paper(judged)["text"], "Read by one convention, 2 hold; 1 is contradicted.")
+        self.assertEqual(findings.paper(judged)["text"], "Read by one convention, 2 statements hold; 1 is contradicted.")
         from pulloff_report.sections import claims as section
         data = section.build(sections.Source(None, None, None, judged)).data
         groups = data["groups"]

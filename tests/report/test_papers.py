@@ -12,6 +12,11 @@ import tempfile
 import tomllib
 import unittest
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import quickly  # noqa: E402
+import synthetic  # noqa: E402
+
 TREE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 RUN = os.path.join(TREE, "reports", "claims", "run.py")
 PROGRAM = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 and os.path.exists(sys.argv[1]) else None
@@ -62,6 +67,25 @@ class Papers(unittest.TestCase):
         self.assertEqual([row["verdict"] for row in made["claims"]], ["within_reading", "depends", "contradicted"])
         self.assertEqual([row["change"]["moved"] for row in made["claims"]], [True] * 3)
         self.assertIn("1.67, not 1.75", made["claims"][2]["brief"])
+
+    @unittest.skipUnless(PROGRAM, "no program is given")
+    def test_the_report_of_a_paper_says_nothing_of_the_first_one(self):
+        judge("--paper", self.folder, "--program", PROGRAM)
+        quickly.prepare(self)
+        folder, run = os.path.dirname(self.folder), os.path.join(self.folder, "run")
+        synthetic.make_references(os.path.join(folder, "reference"))
+        synthetic.make_fig04(run)
+        synthetic.change(os.path.join(run, "fig04", "record.json"), lambda record: record.update(figure=None, title="Spheres of the toy paper"))
+        self.assertEqual(quickly.html_only(self, "--run", run, "--reference", os.path.join(folder, "reference"), "--output", folder,
+                                           "--claims", os.path.join(self.folder, "claims", "claims.json")), (0, ""))
+        with open(os.path.join(folder, "report.html"), encoding="utf-8") as stream:
+            text = re.sub(r"\s+", " ", re.sub("<[^>]+>", "", stream.read()))
+        for words in ("1 of 3 statements hold under every convention of readingRead by one convention, 1 statement holds; 1 depends",
+                      "The ratio is 0.75.", "1 statement of the text is contradicted", "listed in claims.toml in the folder of the paper",
+                      "Holds, depends, contradictedall choices half the accuracy1, 1, 1 the convention1, 1, 1"):
+            self.assertTrue(words in text, f"not found: {words}")
+        for words in ("Papangelo", "wavy_sphere", "figures were not", "light preload", "./reproduce --only"):
+            self.assertFalse(words in text, f"found: {words}")
 
     @unittest.skipUnless(PROGRAM, "no program is given")
     def test_a_table_is_that_of_the_paper_first(self):

@@ -129,10 +129,10 @@ def shortened(quotes):
     return text if len(text) <= LONGEST_QUOTE else text[:LONGEST_QUOTE].rsplit(" ", 1)[0] + " …"
 
 
-def table_of(robust):
-    """The robust counts: one row for each convention, one cell for each preload and for all of them."""
+def table_of(robust, preloads):
+    """The robust counts: one row for each convention, one cell for each preload, if the list has any, and for all of them."""
     words = {"half": "half the accuracy", "once": "the convention", "twice": "twice the accuracy"}
-    return [(words[scale], [cell for cell in robust["table"] if cell["scale"] == scale]) for scale in words]
+    return [(words[scale], [cell for cell in robust["table"] if cell["scale"] == scale and (preloads or cell["preload"] is None)]) for scale in words]
 
 
 def row(claim):
@@ -159,7 +159,7 @@ def build(source):
                  for name, title, verdicts, is_open in GROUPS]
         data = {"groups": [group for group in found if group["rows"]],
                 "counts": [entry for entry in counts if entry[-1]], "readings": judged["readings"], "preloads": judged["preloads"],
-                "robust": judged["robust"], "table": table_of(judged["robust"]),
+                "robust": judged["robust"], "table": table_of(judged["robust"], judged["preloads"]),
                 "unseen": sum(claim["figure"] for claim in judged["claims"]),
                 "decided": [claim for claim in judged["claims"] if claim["decided"]],
                 "by_solvers": sum(bool(claim["solvers"]) for claim in judged["claims"]), "number": len(judged["claims"])}
