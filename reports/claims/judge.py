@@ -13,7 +13,7 @@ READINGS = {"printed": "a number printed in full: half a unit of its last digit"
             "equation": "an equation, evaluated as printed: the stated numerical error",
             "bound": "an order of two numbers, a sign or a count: exact",
             "axis": "a number on a linear axis of a figure: 2 % of the range of its values, by the text or as computed",
-            "logarithmic": "a number on a logarithmic axis of a figure: 0.05 decades, 11 %",
+            "logarithmic": "a number on a logarithmic axis of a figure: 0.05 decades, 11 % below and 12 % above",
             "about": "about, ≈, ≃, close, slightly, well, or a number said of a marker, curve or contour: 10 %",
             "order": "a power of ten after ≈ or ≃ (≃ 10⁻¹, ≈ 1 on an axis of decades): a factor of 3 in both directions",
             "large": "large, small, much, very, greatly, strongly, markedly, suddenly: a ratio of at least 2",
@@ -30,9 +30,9 @@ def half_unit(text):
     return 0.5 * 10.0 ** exponent
 
 
-def reach(claim, claimed, low, high, scale=1.0):
+def reach(claim, claimed, low, high, scale=1.0, computed=None):
     """(low, high, accuracy): the claimed interval and the accuracy by the convention of the entry, times a scale; a
-    factor is raised to the power of the scale."""
+    factor is raised to the power of the scale. Decades reach farther above a number than below it: `computed` says on which side."""
     reading = claim["reading"]
     if reading == "large":
         return LARGE ** scale, math.inf, 0.0
@@ -40,10 +40,11 @@ def reach(claim, claimed, low, high, scale=1.0):
         return LARGE ** -scale, LARGE ** scale, 0.0
     if reading == "order":
         return low / ORDER ** scale, high * ORDER ** scale, 0.0
-    nearest = min((abs(end) for end in (low, high) if math.isfinite(end)), default=0.0)
+    above = computed is not None and computed > high
+    nearest = abs(high) if above and reading == "logarithmic" else min((abs(end) for end in (low, high) if math.isfinite(end)), default=0.0)
     return low, high, {"printed": lambda: half_unit(claimed), "equation": lambda: claim["accuracy"], "bound": lambda: 0.0,
                        "axis": lambda: scale * AXIS * (claim["range"][1] - claim["range"][0]),
-                       "logarithmic": lambda: (1 - 10 ** (-scale * DECADES)) * nearest,
+                       "logarithmic": lambda: abs(10 ** (scale * DECADES * (1 if above else -1)) - 1) * nearest,
                        "about": lambda: scale * ABOUT * nearest}[reading]()
 
 

@@ -73,7 +73,7 @@ def judged(choice, claim, given):
         return part | {"reason": str(error), "verdict": judge.NO_RESULT}
 
     def verdict_of(scale):
-        low, high, accuracy = judge.reach(claim, choice["claimed"], *ends, scale)
+        low, high, accuracy = judge.reach(claim, choice["claimed"], *ends, scale, part["computed"])
         return low, high, accuracy, judge.verdict(part["computed"], low, high, accuracy, claim["reading"])
 
     part["low"], part["high"], part["accuracy"], part["verdict"] = verdict_of(1.0)

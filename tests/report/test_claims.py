@@ -192,6 +192,8 @@ class Rule(unittest.TestCase):
                 ("within_reading", 1.4, 1.5, 1.65, "about"), ("contradicted", 1.3, 1.5, 1.65, "about"),
                 ("within_reading", 1.492, 1.5, 2, "axis"), ("contradicted", 1.489, 1.5, 2, "axis"),
                 ("within_reading", 1.79, 2, 2, "logarithmic"), ("contradicted", 1.78, 2, 2, "logarithmic"),
+                # 0.05 decades: a factor of 1.122 in both directions, 12.2 % above and 10.9 % below
+                ("within_reading", 2.244, 1.9, 2, "logarithmic"), ("contradicted", 2.245, 1.9, 2, "logarithmic"),
                 ("within_reading", 0.034, 0.1, 0.1, "order"), ("contradicted", 0.31, 0.1, 0.1, "order"),
                 ("within_reading", 2.01, 1, float("inf"), "large"), ("contradicted", 1.99, 1, float("inf"), "large"),
                 ("within_reading", 1.99, 1, float("inf"), "gradual"), ("contradicted", 0.49, 1, float("inf"), "gradual"),
@@ -200,7 +202,7 @@ class Rule(unittest.TestCase):
                 ("reproduced", 1.009, 1, 1, "equation"), ("contradicted", 1.011, 1, 1, "equation"),
                 ("no_result", None, 1, 1, "about"), ("no_result", float("nan"), 1, 1, "about")):
             claim = {"reading": reading, "range": [1.5, 2], "accuracy": 0.01}
-            low, high, accuracy = judge.reach(claim, "8.5761", low, high)
+            low, high, accuracy = judge.reach(claim, "8.5761", low, high, computed=computed)
             self.assertEqual(judge.verdict(computed, low, high, accuracy, reading), expected, (computed, low))
 
     def test_a_scaled_convention(self):
