@@ -30,9 +30,8 @@ static const char HELP[] =
         PO_SESSION_POINTS_HELP PO_SESSION_SOLVE_HELP
     "  --identical       exit code 1 also if a result is not the same to the last bit, or took "
     "other\n"
-    "                    work, or the stored results are of other scenes; prints how far each "
-    "case\n"
-    "                    is off, and which oracles can judge it\n"
+    "                    work, or is not stored; prints how far each case is off, and which\n"
+    "                    oracles can judge it\n"
     "  --verbose         print a line for every check\n"
     "  --tap             print the verdicts as TAP 13, one line a check\n"
     "  --junit FILE      write the verdicts also to FILE, as JUnit XML\n"

@@ -31,9 +31,13 @@ alter() {
   seal "${2:-$digests}"
 }
 
-# Without stored digests there is nothing to compare.
-expect 0 '*' verify good --output run --identical
+# Without stored digests there is nothing to compare, and nothing is identical.
+expect 0 '*' verify good --output run
 silent identical
+expect 1 '*' verify good --output run --identical
+says '^good: 3 results are not stored; pulloff bless good --reason TEXT stores them$'
+expect 1 '*' verify good --output run --identical --tap
+says '^not ok 4 - good stored_results/pin$'
 expect 0 '*' bless good --reason first --output run
 says '^cases/pins/good.csv: 3 results, 3 new$'
 check 'one row a point' test 3 -eq "$(grep -c -E '^[0-2],[0-9a-f]{16},1\.[0-9]{14}[0-9]*(,[0-9]+){5}$' "$digests")"

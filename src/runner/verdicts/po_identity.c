@@ -154,11 +154,18 @@ po_status po_identity_compare(const po_case_run *run, po_identity *identity, po_
   }
   for (size_t i = 0; !status && i < kase->point_count; ++i) {
     po_point_identity one = {0};
-    if (run->points[i].asked)
-      status = po_identity_point(run, i, &one);
+    if (!run->points[i].asked)
+      continue;
+    status = po_identity_point(run, i, &one);
     if (!status && one.known)
       count_point(run, i, &one, &found);
+    identity->not_stored += !one.known;
   }
+  if (!status && identity->not_stored)
+    po_text_add(lines, "%s: %zu %s not stored; pulloff bless %s --reason TEXT stores them\n",
+                kase->file->name, identity->not_stored,
+                po_one_or_more(identity->not_stored, "result is", "results are"),
+                po_case_word(kase));
   if (!status && identity->identical < identity->compared)
     describe_results(run, &found, lines);
   if (!status && identity->other_work)
@@ -167,13 +174,14 @@ po_status po_identity_compare(const po_case_run *run, po_identity *identity, po_
 }
 
 bool po_identity_passes(const po_identity *identity) {
-  const bool differs =
-      identity->identical < identity->compared || identity->other_work || identity->other_scenes;
+  const bool differs = identity->identical < identity->compared || identity->other_work ||
+                       identity->other_scenes || identity->not_stored;
   return !identity->beyond && !identity->more_work && !(identity->exact && differs);
 }
 
 bool po_identity_counts(const po_identity *identity) {
-  return identity->compared || (identity->exact && identity->other_scenes);
+  return identity->compared ||
+         (identity->exact && (identity->other_scenes || identity->not_stored));
 }
 
 po_identity po_identity_sum(const po_identity *identities, size_t count) {
@@ -186,6 +194,7 @@ po_identity po_identity_sum(const po_identity *identities, size_t count) {
                         .other_work = sum.other_work + one->other_work,
                         .more_work = sum.more_work + one->more_work,
                         .other_scenes = sum.other_scenes + one->other_scenes,
+                        .not_stored = sum.not_stored + one->not_stored,
                         .largest = fmax(sum.largest, one->largest),
                         .exact = sum.exact || one->exact};
   }

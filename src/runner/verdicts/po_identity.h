@@ -26,6 +26,7 @@ typedef struct {
   size_t more_work;           /* cases of which a counter, summed over the results, is more than a
                                  tenth above that of the pins */
   size_t other_scenes;        /* cases that are not compared: their pins are of other scenes */
+  size_t not_stored;          /* results of other cases that have no pins */
   double largest;             /* difference of the pull-off force of different results, relative */
   bool exact;                 /* whether every difference fails; false after a comparison */
 } po_identity;
@@ -33,7 +34,7 @@ typedef struct {
 /* Compares the requested points of a finished run.
  * Returned: in *identity, what was found; in `lines`, a line if results differ: how many, the
  * largest difference and its point, and which oracles can judge it; a line if the work differs; or
- * that the pins are of other scenes.
+ * that the pins are of other scenes, or missing.
  * Status: as above. */
 po_status po_identity_compare(const po_case_run *run, po_identity *identity, po_text *lines);
 
