@@ -3,7 +3,7 @@
 # source tree, which takes a minute, and compares the pull-off force under it with that under other laws of the same w and ε.
 # Usage: own_law.sh FIGURE
 set -e
-python3 "$(dirname "$0")/../../tests/recipes/recipes.py" own --only law --keep
+[ -d own/recipes/tree/build ] || python3 "$(dirname "$0")/../../tests/recipes/recipes.py" own --only law --keep
 for law in lennard-jones mie:4,12 morse:1 exponential:1; do
   own/recipes/tree/build/src/cli/pulloff follow --key tabor --from 0.05 --to 10 --points 30 --law "$law" --curve "$law.csv"
 done

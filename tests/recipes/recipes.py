@@ -145,6 +145,18 @@ def failures(copy, blocks):
                 yield f"{line}\n  {wrong}"
 
 
+def example(copy):
+    """What is wrong with the script of doc/examples that draws the pull-off under the law of the recipe, in this copy."""
+    place = copy.tree / "example"
+    (place / "own").mkdir(parents=True)
+    (place / "own" / "recipes").symlink_to(copy.tree.parent)
+    try:
+        copy.run(["sh", "-c", "cd example && exec sh ../doc/examples/own_law.sh own_law.png"])
+    except Wrong as why:
+        return str(why)
+    return None if (place / "own_law.png").stat().st_size > 4000 else "the picture is empty"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("build", type=pathlib.Path, help="the build folder")
@@ -161,6 +173,8 @@ def main():
         copy.make(files)
         for name, blocks in recipes:
             wrong = list(failures(copy, blocks))
+            if "law" in name and not given.keep:    # with --keep this script is run by that of the example
+                wrong += [text for text in [example(copy)] if text]
             print("\n".join([f"{'not ok' if wrong else 'ok'}: {name}", *wrong]))
             failed = failed or bool(wrong)
     except Wrong as why:
