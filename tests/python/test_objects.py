@@ -312,6 +312,8 @@ class Types(unittest.TestCase):
 
     def test_values_of_a_series(self):
         """follow() solved one of three values of an array of another shape, and those behind a mask."""
+        with self.assertRaises(pulloff.Error):
+            pulloff.follow("tabor", [])
         for values in (3, np.array(3.0), np.ones((1, 3)), np.ones((3, 1)), np.ma.array([1, 2, 3], mask=[0, 1, 0]), "123", b"123",
                        {1: 2}, None, Broken):
             with self.assertRaisesRegex(pulloff.Error, "^values is .*: expected a one-dimensional sequence of real numbers"):
