@@ -1,7 +1,5 @@
 """Tests of the campaign with synthetic solutions: which it must accept, and which not."""
 
-import contextlib
-import io
 import json
 import os
 import subprocess
@@ -16,8 +14,6 @@ import compare  # noqa: E402
 import draw  # noqa: E402
 import made_up  # noqa: E402
 import reference  # noqa: E402
-import solve  # noqa: E402
-import solved  # noqa: E402
 
 # A program whose true errors are FAULT times those that it states, and which fails at Tabor parameters above 9. It
 # records each call in the file CALLS.
@@ -75,11 +71,6 @@ class Comparisons(unittest.TestCase):
                                          (1.1e-4, 1e-6, "violated"), (1.005e-4, 1e-7, "violated")):
             self.assertEqual(compare.Finding("force", "", 1e-4, difference, own).verdict, verdict, difference)
 
-    def test_the_error_of_the_tight_solution_bounds_the_ratio(self):
-        found = compare.Finding("force", "", 1e-4, 0.0, 1e-7)
-        self.assertAlmostEqual(found.ratio, 1e3)
-        self.assertTrue(found.is_bound)
-
     def test_every_quantity_of_the_pull_off_is_compared(self):
         found = self.check(document(), tight(), 0)
         for quantity in ("force", "approach", "contact radius"):
@@ -106,32 +97,6 @@ class Comparisons(unittest.TestCase):
         self.assertEqual(verdicts(found, "force"), ["held"])
         self.check(document(extrema=shorter, end=9.0), tight(extrema=longer, end=9.0), 2)   # minimum and force
 
-    def test_a_search_may_end_where_the_approach_falls(self):
-        shorter = [mark("jump_out", -2.0, -1.0, position=1.0), mark("jump_in", 4.0, -0.7, position=2.0)]
-        longer = shorter + [mark("jump_out", -2.5, -1.2, position=3.0)]
-        minima = [(-1.9, -1.5)]
-        loose, other = document(folds=longer, extrema=minima), tight(folds=shorter, extrema=minima, end=1.0)
-        other["ended"] = {"why": "searched"}
-        self.check(loose, other, 0)
-        other["ended"] = {"why": "preload"}
-        self.check(loose, other, 1)
-
-    def test_a_branch_may_return_to_approaches_before_its_start(self):
-        pair = [mark("jump_in", -1.0, -0.7, position=1.0), mark("jump_out", -2.4, -1.0, position=2.0)]
-        loose, other = document(folds=pair, extrema=[(-2.2, -1.5)]), tight(folds=pair, extrema=[(-2.2, -1.5)])
-        for one in (loose, other):
-            one.update(start=-2.0)
-            one["extrema"][0]["position"] = 3.0
-        self.assertEqual(verdicts(self.check(loose, other, 0), "force"), ["held"])
-        other["folds"].insert(0, mark("jump_in", -3.0, -0.1, position=0.0))     # before the start of the loose trace
-        self.check(loose, other, 0)
-
-    def test_two_minima_may_be_equally_deep_within_the_errors(self):
-        found = self.check(document(extrema=[(-1.0, -1.50003), (2.0, -1.5)]),
-                           tight(extrema=[(-1.0, -1.5), (2.0, -1.50001)]), 0)
-        self.assertTrue(found.tie)
-        self.assertEqual(verdicts(found, "approach"), ["held"])
-
     def test_missing_and_additional_folds_are_violations(self):
         pair = [mark("jump_in", -1.0, -0.7, position=1.0), mark("jump_out", -1.4, -1.0, position=2.0)]
         more = pair + [mark("jump_in", -0.5, -0.3, position=3.0), mark("jump_out", -0.8, -0.2, position=4.0)]
@@ -147,16 +112,6 @@ class Comparisons(unittest.TestCase):
         self.check(document(error=1e-5), tight(folds=faint), 2)
 
 
-    def test_a_pair_below_the_errors_does_not_shift_other_pairs(self):
-        """Both lists have the same length, because the loose one ends before the last pair of the tight one."""
-        pairs = [mark("jump_in", -3.0, -0.2, position=1.0), mark("jump_out", -5.0, -0.3, position=2.0),
-                 mark("jump_in", 1.0, -0.8, position=5.0), mark("jump_out", -2.0, -1.3, position=6.0)]
-        faint = [mark("jump_in", -4.0, -0.25, position=1.3), mark("jump_out", -4.00005, -0.25, position=1.6)]
-        beyond = [mark("jump_in", 7.0, -0.9, position=7.0), mark("jump_out", 2.0, -1.2, position=8.0)]
-        found = self.check(document(folds=pairs + faint), tight(folds=pairs + beyond, end=9.0), 0)
-        self.assertEqual(found.faint, 2)
-        self.assertEqual(len(verdicts(found, "fold approach")), 4)
-
 
 class Draws(unittest.TestCase):
     RANGES = vars(campaign.arguments([]))
@@ -168,17 +123,6 @@ class Draws(unittest.TestCase):
         for k, tabor, radius in ((199, 0.00108449, 52.0513), (999, 0.00416498, 113.855)):
             self.assertEqual(draw.between((1e-3, 10), draw.uniform(20200908, k, "tabor")), tabor)
             self.assertEqual(draw.between((30, 500), draw.uniform(20200908, k, "radius")), radius)
-
-    def test_scenes_cover_their_ranges(self):
-        scenes = [draw.scene(7, k, self.RANGES) for k in range(500)]
-        for key, low, high in (("tabor", 0.01, 10), ("radius", 30, 1000)):
-            values = [scene[key] for scene in scenes]
-            self.assertTrue(low <= min(values) < 1.1 * low and 0.9 * high < max(values) <= high, key)
-        ratios = [scene["amplitude"] / scene["wavelength"] for scene in scenes if "amplitude" in scene]
-        self.assertTrue(0.0029 < min(ratios) < 0.004 and 0.4 < max(ratios) < 0.501)
-        cut = [scene["outer-radius"] / scene["radius"] for scene in scenes if scene["outer-radius"] != "inf"]
-        self.assertTrue(200 < len(cut) < 300 and 0.24 < min(cut) and max(cut) == 1.0)
-        self.assertTrue(90 < sum(ratio == 1.0 for ratio in cut) < 160)
 
 
 class Campaigns(made_up.Case):
@@ -219,31 +163,6 @@ class Campaigns(made_up.Case):
         code, text = self.run_it(0.5, "--tabor", "9.5:9.9")
         self.assertEqual(code, 1)
         self.assertIn("crashed: scene 0: exit code 1: pulloff: no such thing", text)
-
-    def test_bad_usage_is_refused(self):
-        for words in (["--tabor", "3"], ["--tabor", "5:1"], ["--loose", "1e-7", "--tight", "1e-4"], ["--scenes", "a"],
-                      ["--smooth", "2"], ["--tight", "0"]):
-            with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
-                campaign.main(words)
-            self.assertEqual(end.exception.code, 2, words)
-
-
-class Solved(unittest.TestCase):
-    def test_statuses_are_counted(self):
-        refused = {"status": "crashed", "reason": "exit code 2: pulloff: the law falls too slowly"}
-        solutions = [{"status": "ok"}, {"status": "out_of_time", "reason": "after 20 s"}, refused]
-        tasks = [solved.Task(k, draw.general_scene(1, k)) for k in range(3)]
-        for task, solution in zip(tasks, solutions):
-            task.solution = solution
-        for crashed in (False, True):
-            if crashed:
-                tasks[0].solution = {"status": "crashed", "reason": "exit code -11: no message"}
-            with contextlib.redirect_stdout(io.StringIO()) as out:
-                self.assertEqual(solved.report(tasks, solved.arguments(["--seed", "1"])), int(crashed))
-            lines = out.getvalue().splitlines()
-            self.assertIn("refused              1", lines)
-            self.assertIn("scene 1: out_of_time: after 20 s", lines)
-            self.assertIn(f"  {solve.command(tasks[2].scene, 1e-6)}", lines)
 
 
 class References(unittest.TestCase):

@@ -39,31 +39,6 @@ class Energies(unittest.TestCase):
             off, _ = energies.energy_off(dict(state, energy=state["energy"] + 1e-5), tight)
             self.assertAlmostEqual(off, 1e-5, delta=1e-7)
 
-    def test_a_state_beside_the_curve_is_compared_at_its_approach(self):
-        """Moved along the curve of constant difference of U - W approach: dU = W d(approach)."""
-        tight = curve(120)
-        for state in curve(37):
-            moved = dict(state, approach=state["approach"] + 1e-5, energy=state["energy"] + 1e-5 * state["load"])
-            self.assertLess(energies.energy_off(moved, tight)[0], 3e-8)
-
-    def test_a_long_segment_is_found_beside_points_of_another_part(self):
-        """A part of the branch at load 0 with few points, and near it one of another energy with many."""
-        flat = {"load": 0.0, "energy": 0.0, "contact_radius": 1.0, "approach_rate": 1.0, "load_rate": 0.0}
-        tight = [dict(flat, position=0.4 * k, approach=0.4 * k) for k in range(2)]
-        tight += [dict(flat, position=0.41 + 0.001 * k, approach=0.39 - 0.001 * k, load=0.01, energy=0.01, approach_rate=-1.0)
-                  for k in range(380)]
-        off, _ = energies.energy_off(dict(flat, position=0.2, approach=0.2), tight)
-        self.assertLess(off, 1e-12)
-
-    def test_a_steep_segment_is_found_beside_another_part(self):
-        """The load falls by 40 on one segment; another part of the branch passes within a unit of it."""
-        steep = {"energy": 0.0, "contact_radius": 1.0, "approach_rate": 1.0, "load_rate": -100.0}
-        tight = [dict(steep, position=0.4 * k, approach=0.4 * k, load=-40.0 * k, energy=-8.0 * k) for k in range(2)]
-        tight += [dict(steep, position=0.41 + 0.1 * k, approach=0.9, load=-13.0 + k, energy=5.0, approach_rate=0.0, load_rate=10.0)
-                  for k in range(3)]
-        state = dict(steep, position=0.125, approach=0.125, load=-12.5, energy=-50.0 * 0.125**2)
-        self.assertLess(energies.energy_off(state, tight)[0], 1e-9)
-
     def test_violations_are_those_beyond_both_errors(self):
         task = energies.Task("made up", {})
         task.add("curve energy", "", 1e-6, 1.5e-6, 1e-6)

@@ -1,7 +1,5 @@
 """Tests of the campaign on staircases with a synthetic program: what it must accept, and what not."""
 
-import contextlib
-import io
 import json
 import os
 import sys
@@ -94,10 +92,8 @@ class Campaigns(made_up.Case):
         self.assertIn("of these 4 with a tension at reversal as great", text)
 
     def test_a_loop_that_differs_is_a_violation(self):
-        for fault, words in (({"fold": 1e-3}, "force"), ({"fold": -1e-3}, "no step"), ({"force": 1e-3}, "force"),
-                             ({"energy": 1e-2}, "energy lost"), ({"reversal": 1e-3}, "no step is said to hold"),
-                             ({"part": 3}, "force"), ({"end": 1e-3}, "no step is said to hold"), ({"end": 1e-3}, "force"),
-                             ({"refused": 3}, "expected a harder preload")):
+        for fault, words in (({"fold": 1e-3}, "force"), ({"energy": 1e-2}, "energy lost"), ({"reversal": 1e-3}, "no step is said to hold"),
+                             ({"end": 1e-3}, "force"), ({"refused": 3}, "expected a harder preload")):
             code, text = self.run_it(fault)
             self.assertEqual(code, 1, fault)
             self.assertIn("2 of 2 scenes with a violation", text)
@@ -114,12 +110,6 @@ class Campaigns(made_up.Case):
         code, text = self.run_it({}, "--tabor", "4.6:4.9")
         self.assertEqual(code, 1)
         self.assertIn("crashed: scene 0: exit code 1: pulloff: no such thing", text)
-
-    def test_bad_usage_is_refused(self):
-        for words in (["--most", "1"], ["--loose", "1e-7", "--tight", "1e-4"]):
-            with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
-                staircase.main(words)
-            self.assertEqual(end.exception.code, 2, words)
 
 
 class Places(unittest.TestCase):
