@@ -13,6 +13,59 @@ import quickly  # noqa: E402
 import synthetic  # noqa: E402
 
 
+RECORD = "fig03/record.json"
+
+
+def written(data):
+    """The record has these bytes."""
+    def edit(run):
+        with open(os.path.join(run, RECORD), "wb") as stream:
+            stream.write(data)
+    return edit
+
+
+def changed(edit, name=RECORD):
+    """The record, or a file beside it, with one edit."""
+    return lambda run: synthetic.change(os.path.join(run, name), edit)
+
+
+def cut(run):
+    """A curve that ends within a row."""
+    path = os.path.join(run, "fig03", "curve-1.csv")
+    with open(path, "r+", encoding="utf-8") as stream:
+        text = stream.read()
+        stream.truncate(text.rindex(",", 0, 4000))
+
+
+def rename(path):
+    with open(path, encoding="utf-8") as stream:
+        text = stream.read()
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(text.replace("approach", "distance", 1))
+
+
+WRONG = (
+    (written(b'{"schema": "pulloff-record/1",\n "case": }\n'), "fig03/record.json:2: not JSON", "column 10"),
+    (written(b""), "fig03/record.json:1: not JSON"),
+    (written(b"\x7fELF\xff\xfe"), "fig03/record.json: not a text file"),
+    (changed(lambda record: record.update(schema="pulloff-record/9")), 'schema is "pulloff-record/9", expected "pulloff-record/1"'),
+    (changed(lambda record: record["points"][2].pop("work")), "fig03/record.json: points[2].work is missing"),
+    (changed(lambda record: record["checks"][1].update(obtained="many")), 'checks[1].obtained is "many", expected a number or null'),
+    # a truth is no number, and a number no truth
+    (changed(lambda record: record["points"][0].update(failed=0)), "points[0].failed is 0, expected true or false"),
+    (changed(lambda record: record["checks"][0].update(error=True)), "checks[0].error is true, expected a number or null"),
+    (changed(lambda record: record["checks"][0].update(verdict="perhaps")),
+     'checks[0].verdict is "perhaps", expected one of within, outside'),
+    # it ended in a traceback
+    (changed(lambda record: record["points"][0]["pull_off"].update(force="much")),
+     "run: a record, or a file beside it, has a value that cannot be shown: ", ".py:", "pulloff run writes a record again"),
+    (lambda run: os.unlink(os.path.join(run, "fig03", "curve-1.csv")), "fig03/curve-1.csv: No such file"),
+    (cut, "fig03/curve-1.csv:", "expected 8"),
+    (changed(rename, "fig03/curve-0.csv"), "fig03/curve-0.csv: no column named approach"),
+    (lambda run: os.unlink(os.path.join(run, RECORD)), "no complete record of this program of any case"),
+)
+
+
 class Refusals(unittest.TestCase):
     def setUp(self):
         holder = tempfile.TemporaryDirectory(prefix="pulloff-report-")
@@ -20,7 +73,6 @@ class Refusals(unittest.TestCase):
         self.folder = holder.name
         self.run_folder = os.path.join(self.folder, "run")
         self.output = os.path.join(self.folder, "report")
-        self.record = os.path.join(self.run_folder, "fig03", "record.json")
         synthetic.make_references(os.path.join(self.folder, "reference"))
         synthetic.make_fig03(self.run_folder)
 
@@ -39,76 +91,13 @@ class Refusals(unittest.TestCase):
         if os.path.isdir(self.output):
             self.assertEqual(os.listdir(self.output), [])
 
-    def change(self, edit):
-        """The record with one edit."""
-        synthetic.change(self.record, edit)
-
-    def write(self, data):
-        with open(self.record, "wb") as stream:
-            stream.write(data)
-
-    def test_broken_json(self):
-        self.write(b'{"schema": "pulloff-record/1",\n "case": }\n')
-        self.refused("fig03/record.json:2: not JSON", "column 10")
-
-    def test_empty_record(self):
-        self.write(b"")
-        self.refused("fig03/record.json:1: not JSON")
-
-    def test_binary_record(self):
-        self.write(b"\x7fELF\xff\xfe")
-        self.refused("fig03/record.json: not a text file")
-
-    def test_other_schema(self):
-        self.change(lambda record: record.update(schema="pulloff-record/9"))
-        self.refused('schema is "pulloff-record/9", expected "pulloff-record/1"')
-
-    def test_missing_key(self):
-        self.change(lambda record: record["points"][2].pop("work"))
-        self.refused("fig03/record.json: points[2].work is missing")
-
-    def test_wrong_type(self):
-        self.change(lambda record: record["checks"][1].update(obtained="many"))
-        self.refused('checks[1].obtained is "many", expected a number or null')
-
-    def test_a_truth_is_no_number_and_no_number_a_truth(self):
-        self.change(lambda record: record["points"][0].update(failed=0))
-        self.refused("points[0].failed is 0, expected true or false")
-        self.change(lambda record: record["points"][0].update(failed=False))
-        self.change(lambda record: record["checks"][0].update(error=True))
-        self.refused("checks[0].error is true, expected a number or null")
-
-    def test_unknown_verdict(self):
-        self.change(lambda record: record["checks"][0].update(verdict="perhaps"))
-        self.refused('checks[0].verdict is "perhaps", expected one of within, outside')
-
-    def test_a_value_of_a_wrong_kind(self):
-        """It ended in a traceback."""
-        self.change(lambda record: record["points"][0]["pull_off"].update(force="much"))
-        self.refused("run: a record, or a file beside it, has a value that cannot be shown: ", ".py:", "pulloff run writes a record again")
-
-    def test_missing_curve(self):
-        os.unlink(os.path.join(self.run_folder, "fig03", "curve-1.csv"))
-        self.refused("fig03/curve-1.csv: No such file")
-
-    def test_truncated_curve(self):
-        path = os.path.join(self.run_folder, "fig03", "curve-1.csv")
-        with open(path, "r+", encoding="utf-8") as stream:
-            text = stream.read()
-            stream.seek(0)
-            stream.truncate()
-            stream.write(text[:text.rindex(",", 0, 4000)])
-        self.refused("fig03/curve-1.csv:", "expected 8")
-
-    def test_curve_without_its_column(self):
-        def rename(path):
-            with open(path, encoding="utf-8") as stream:
-                text = stream.read()
-            with open(path, "w", encoding="utf-8") as stream:
-                stream.write(text.replace("approach", "distance", 1))
-
-        synthetic.change(os.path.join(self.run_folder, "fig03", "curve-0.csv"), rename)
-        self.refused("fig03/curve-0.csv: no column named approach")
+    def test_a_file_that_is_wrong(self):
+        """Each edit of the run, and the words of the line that refuses it."""
+        for edit, *wanted in WRONG:
+            with self.subTest(wanted[0]):
+                synthetic.make_fig03(self.run_folder)
+                edit(self.run_folder)
+                self.refused(*wanted)
 
     def test_an_altered_record_or_table_is_refused(self):
         for name, said in (("record.json", "it does not have its checksum (pulloff run fig03 writes it again)"),
@@ -134,10 +123,6 @@ class Refusals(unittest.TestCase):
             with open(path, "w", encoding="utf-8") as stream:
                 stream.write(edited)
             self.refused("matrix.json", words)
-
-    def test_no_run(self):
-        os.unlink(self.record)
-        self.refused("no complete record of this program of any case")
 
     def test_no_such_folder(self):
         self.refused("No such file or directory", words=[
