@@ -1,6 +1,6 @@
 #!/bin/sh
-# Each point of a case is kept as soon as it is solved: after Ctrl-C, and if the case is run in parts on one or several
-# machines.
+# Each point of a case is kept as soon as it is solved, also if the case is run in parts on one or several machines. The campaign
+# `killed` of tests/robust/store.py interrupts runs.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -71,20 +71,4 @@ write_parts 6 81
 expect 0 'parts: 2 of 6 points, 0 checks: within' run --output mesh --points 0-1
 write_parts 6 91
 expect 0 'parts: 6 points, 0 checks: within' run --output mesh
-
-# After Ctrl-C the solved points are kept.
-write_parts 400 301
-"$program" run --output stopped --jobs 1 2>"$work/stderr" &
-child=$!
-stopped=stopped/parts/points.jsonl
-two_lines() { [ -s $stopped ] && [ "$(wc -l <$stopped)" -ge 2 ]; }
-wait_for two_lines
-kill -INT $child
-wait $child
-check 'exit code 130' test $? -eq 130
-check 'the message says what is kept' grep -q 'interrupted; finished points are kept in stopped' "$work/stderr"
-kept=$(wc -l <$stopped)
-check 'some points are kept' test "$kept" -ge 2
-expect 0 "parts: $kept of 400 points, 0 checks: within ($kept points kept)" \
-  run --output stopped --points "0-$((kept - 1))" --jobs 0
 finish

@@ -83,22 +83,6 @@ OPENBLAS_CORETYPE=Prescott ends 0 run --output part-1 --shard 1/3 --jobs 1
 OPENBLAS_CORETYPE=Nehalem ends 0 run --output part-2 --shard 2/3 --jobs 2
 ends 0 run --output part-3 --shard 3/3 --jobs 3
 check 'no shard has a record of a case that is divided' test ! -e part-1/drawn/record.json -a ! -e part-2/drawn/record.json
-cat >dealt.py <<'DEALT'
-import json
-import pathlib
-def lines(path):
-    return len(path.read_text().splitlines()) if path.exists() else 0
-asked = {name: [lines(pathlib.Path(f"part-{k}", name, "points.jsonl")) for k in (1, 2, 3)]
-         for name in ("drawn", "rigid", "timed", "followed")}
-assert sum(asked["drawn"]) == 7 and sum(asked["rigid"]) == 5, asked
-assert sorted(asked["timed"]) == [0, 0, 3], asked  # the times of a case are of one machine
-assert sum(asked["followed"]) == 12 and all(count % 4 == 0 for count in asked["followed"]), asked  # lines are whole
-sizes = [sum(asked[name][k] / size for name, size in (("drawn", 1), ("rigid", 1), ("timed", 3), ("followed", 4)))
-         for k in range(3)]
-assert max(sizes) - min(sizes) <= 1, sizes
-DEALT
-check 'points are divided evenly, and series and timed cases are not divided' "$python" dealt.py
-
 ends 0 merge --output merged part-3 part-1 part-2
 cp "$work/stderr" said
 for name in drawn rigid timed followed; do
@@ -117,20 +101,6 @@ strip again/drawn/record.json >joined
 strip whole/drawn/record.json >at-once
 check 'the folder of a shard that became the complete run can be merged again' cmp joined at-once
 
-# All shards in one folder.
-for k in 2 1; do
-  ends 0 run drawn --output shared --shard $k/2
-done
-expect 0 'drawn: 7 points, 1 check: within' merge --output joined-shared shared
-strip joined-shared/drawn/record.json >joined
-check 'shards may share a folder' cmp joined at-once
-
-# More shards than points; only some of the cases.
-for k in 1 2 3 4 5 6 7; do
-  ends 0 run rigid --output many-$k --shard $k/7
-done
-expect 0 'rigid: 5 points, 5 checks: within' merge --output few many-7 many-6 many-5 many-4 many-3 many-2 many-1
-
 # Shards that are missing, given twice, damaged or not finished. (The folder part-1 has all points by now.)
 rm -r part-1
 ends 0 run --output part-1 --shard 1/3
@@ -138,6 +108,7 @@ expect 4 'pulloff: * of 7 points of drawn are lacking: expected all 3 shards, ea
 expect 4 'pulloff: *; missing or not finished: 1/3, 3/3' merge part-2
 cp -r part-2 twin
 ends 0 merge --output twins part-1 part-2 part-3 twin
+ends 0 run drawn --output shared --shard 1/2
 expect 2 'pulloff: shared/shard-1-of-2.json is of a run with another number of shards than part-1/shard-1-of-3.json: *' \
   merge part-1 shared part-3
 cp -r part-2 torn

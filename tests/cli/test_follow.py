@@ -1,4 +1,5 @@
-"""The pull-off of a series of scenes: the verb follow, and cases with the key `follow`."""
+"""The pull-off of a series of scenes: the verb follow, and cases with the key `follow`. What is followed is compared with full
+traces in tests/unit/test_follow.c and test_follow_folds.c."""
 
 import json
 import pathlib
@@ -11,7 +12,6 @@ from conftest import ROOT, agree, document, expect, load, run
 sys.path.insert(0, str(ROOT / "tests"))
 import checksum  # noqa: E402
 
-WAVELENGTH = "follow --key wavelength --from 17.3 --to 24.1 --points 7 --amplitude-ratio 0.0385 --tabor 0.71 --tolerance 1e-5"
 TIP = {"modulus-pa": "2e9", "work-j-per-m2": "0.05", "distance-m": "3e-10"}
 
 
@@ -53,31 +53,9 @@ def test_wrong_command_lines(message, words):
     expect(2, "pulloff: " + message, "follow " + words)
 
 
-def test_a_followed_value_equals_that_of_a_trace():
-    """Amplitude and wavelength are in proportion."""
-    points = document(WAVELENGTH)["points"]
-    assert [p["followed"] for p in points] == [False] + 5 * [True] + [False], "the ends are traced"
-    assert points[3]["folds"] is None
-    for k in 2, 5:
-        given = points[k]["input"]
-        traced = document("solve --tolerance 1e-5 --tabor 0.71 --wavelength", given["wavelength"], "--amplitude", given["amplitude"])
-        agree(points[k]["pull_off"], traced["pull_off"], "force")
-        agree(points[k]["pull_off"], traced["pull_off"], "approach", "approach_error_estimate")
-
-
 def test_a_smooth_sphere_needs_no_wavelength():
     series = "follow --key tabor --from 1 --to 1.1 --points 2 --tolerance 1e-3"
     assert document(series + " --amplitude 0")["digest"] == document(series)["digest"]
-
-
-def test_followed_folds_equal_those_of_traces_and_end_where_two_merge():  # mu = 0.697
-    points = document("follow --of folds --key tabor --from 1.35 --to 0.61 --points 6 --scale linear --radius 87")["points"]
-    assert [p["followed"] for p in points] == [False] + 5 * [True]
-    assert [[f["kind"] for f in p["folds"] if f["approach"]] for p in points] == 5 * [["jump_in", "jump_out"]] + [[]]
-    traced = document("solve --radius 87 --tabor", points[3]["input"]["tabor"])["folds"]
-    for j in 0, 1:
-        agree(points[3]["folds"][j], traced[j], "approach")
-        agree(points[3]["folds"][j], traced[j], "load", "load_error_estimate")
 
 
 CASE = """
@@ -223,7 +201,6 @@ def test_the_command_that_explain_prints_for_a_followed_point_repeats_it(data):
         assert f'"digest":"{digest_of}"' in pathlib.Path("again/good/points.jsonl").read_text()
 
 
-
 def test_printed_commands_have_the_time_limit(data):
     write(data, "")
     failed = expect(3, "*", "verify good --output timed --time-limit 1e-9")
@@ -301,15 +278,3 @@ def test_printed_si_units():
 def test_one_warning_for_a_series_that_looks_like_metres():
     ended = run("follow --key radius --from 1e-3 --to 5e-3 --points 3")
     assert ended.err.count("warning: --radius is 0.001 epsilon, which looks like metres") == 1
-
-
-@pytest.mark.parametrize("words", ["--key amplitude --from 0.3 --to 0.8 --tabor 2 --wavelength 10",
-                                   "--key tabor --from 3 --to 2.9 --amplitude 1 --wavelength 10 --outer-radius 40"])
-def test_folds_do_not_depend_on_the_number_of_scenes(words):
-    """A fold is followed for as long as it exists, however far apart the scenes are."""
-    last = [document(f"follow {words} --of folds --points {points}")["points"][-1]["folds"] for points in (2, 6)]
-    assert len(last[0]) == len(last[1]) > 5
-    for few, many in zip(*last):
-        assert (few["approach"] is None) == (many["approach"] is None)
-        if few["approach"] is not None:
-            agree(few, many, "approach")

@@ -73,8 +73,7 @@ def test_wrong_preloads(code, message, words):
     expect(code, "pulloff: " + message, "solve " + words)
 
 
-@pytest.mark.parametrize("law", ["lennard-jones", "mie:8,9", "mie:2.5,2.6", "mie:3,4", "mie:10,12", "mie:20,21", "mie:59,60",
-                                 "morse:0.3", "morse:1", "morse:30"])
+@pytest.mark.parametrize("law", ["lennard-jones", "mie:2.5,2.6", "mie:59,60", "morse:0.3", "morse:30"])
 def test_rigid_spheres_of_any_law(law):
     """The pull-off force is 2 (Bradley), and loading to the default preload is simulated, however short the repulsion is."""
     found = document(f"solve --tabor 0 --law {law} --want hysteresis")
@@ -84,19 +83,17 @@ def test_rigid_spheres_of_any_law(law):
 
 
 @pytest.mark.parametrize("law, factor", [("morse:50", 125.05), ("morse:10", 11.18), ("mie:30,60", 54.03)])
-@pytest.mark.parametrize("tabor", [1e-7, 3e-7, 1.3e-6])
-def test_nearly_rigid_spheres_of_short_range(law, factor, tabor):
+def test_nearly_rigid_spheres_of_short_range(law, factor, tabor=3e-7):
     """The first order in mu^(3/2), whose factor a perturbation of the rigid state gives to a part in a thousand."""
     found = document(f"solve --tabor {tabor} --law {law}")["pull_off"]
     assert abs(found["force"] - (2 - factor * tabor**1.5)) < found["error_estimate"] + 1e-3 * factor * tabor**1.5
 
 
-@pytest.mark.parametrize("radius", ["1e4", "1e5", "1e6"])
-def test_surfaces_cut_far_out(radius):
+def test_surfaces_cut_far_out():
     """The first mesh resolves an attraction that is much narrower than the surface. What is cut off changes the load by less
     than the tolerance, 1e-6."""
     words = "solve --tabor 0.3 --approach-start -3 --want curve"
-    whole, cut = document(words), document(f"{words} --outer-radius {radius}")
+    whole, cut = document(words), document(f"{words} --outer-radius 1e6")
     for key in "force", "approach":
         assert abs(whole["pull_off"][key] - cut["pull_off"][key]) < 1e-6
     first = [found["curve"][0] for found in (whole, cut)]

@@ -231,13 +231,11 @@ def newtons(d):
 
 
 @pytest.mark.parametrize("options, line, names, force, more", [
-    ({"tabor": 1.7, "amplitude": 0.6, "wavelength": 13.0, "radius": 90.0}, 0, {}, load, ""),
     ({"coupling": 0.05, "profile": "cone:0.3"}, 0, {"coupling": "coupling"}, load, ""),
     ({"modulus-pa": 2e9, "work-j-per-m2": 0.05, "distance-m": 3e-10, "radius-m": 3e-8, "amplitude-m": 2e-10, "wavelength-m": 4e-9}, 1,
      {"modulus": "modulus-pa", "work": "work-j-per-m2", "amplitude": "amplitude-m", "wavelength": "wavelength-m", "radius": "radius-m"},
      newtons, "--from-physical")])
 def test_the_changes_that_1_percent_of_each_input_makes(options, line, names, force, more):
-    names = names or {name: name for name in options}
     changes = stated(options, more)[line]
     assert set(changes) == set(names)
     for shown, name in names.items():

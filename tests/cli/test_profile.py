@@ -100,25 +100,6 @@ def test_tables_that_are_not_numbers():
            "solve --profile cone:1 --profile-file sphere.csv")
 
 
-def test_tables_as_spreadsheets_write_them():
-    """A byte order mark, quotes, blanks, CR LF and blank lines at the end leave a table the same."""
-    table("sphere.csv", SPHERE)
-    lines = pathlib.Path("sphere.csv").read_text().splitlines()
-    quoted = ['"r", "gap"'] + ['"' + line.replace(",", '","') + '"' if k == 5 else line for k, line in enumerate(lines[1:])]
-    same = {"mark": "\ufeff" + "\n".join(lines) + "\n", "quotes": "\n".join(quoted) + "\n",
-            "blanks": "".join(" " + line.replace(",", " ,  ") + "\t\n" for line in lines),
-            "ends": "\ufeff" + "".join(line + "\r\n" for line in lines) + "\r\n  \r\n"}
-
-    def numbers_of(name):
-        return [line for line in run(f"solve --tabor 0 --profile-file {name}.csv").out.splitlines()
-                if re.match("pull-off|jump_|minimum", line)]
-    expected = numbers_of("sphere")
-    assert expected
-    for name, text in same.items():
-        pathlib.Path(name + ".csv").write_bytes(text.encode())
-        assert numbers_of(name) == expected, name
-
-
 BODY = [(3.0 * k, 0.045 * k * k) for k in range(21)]
 
 
@@ -141,7 +122,9 @@ FORMS = {
     "UTF-16 LE": written().encode("utf-16"), "UTF-16 BE": b"\xfe\xff" + written().encode("utf-16-be"),
     "UTF-16, European, CR LF": written(";", ",", end="\r\n").encode("utf-16"),
     "UTF-16, tabs, text before": written("\t", before="Höhe in µm 😀\n").encode("utf-16"),
-    "byte order mark": "\ufeff" + written(";", ","),
+    "byte order mark": "\ufeff" + written(";", ","), "byte order mark of a plain table": "\ufeff" + written(),
+    "quoted names": written(names=('"r"', ' "gap"')), "blanks around commas": written(separator=" ,  ", end="\t\n"),
+    "blank lines at the end": written(end="\r\n", after="\r\n  \r\n"),
     "pandas": written(names=("", "r", "gap"), rows=NUMBERED), "pandas, European": written(";", ",", names=("", "r", "gap"), rows=NUMBERED),
     "savetxt": written(names=("# r", "gap")), "savetxt, blanks": written(" ", names=("#r", "gap")),
     "savetxt, header and footer": written(" ", names=("# r", "gap"), before="# made by a script\n# a, b\n", after="# end\n"),
@@ -174,7 +157,7 @@ def without(value, *keys):
 
 def solved(name):
     """The document of a solve, to the last bit, without its times and what names the bytes of the file."""
-    return without(document("solve --coupling 0.1 --profile-file", name), "sha256", "digest", "seconds", "profile_file")
+    return without(document("solve --tabor 0 --profile-file", name), "sha256", "digest", "seconds", "profile_file")
 
 
 def test_tables_as_instruments_write_them():
@@ -326,15 +309,6 @@ def test_profile_still_names_the_file_of_gap_and_traction_if_it_is_a_path():
     expect(0, "", CUT + "--profile gap.csv --profile power:0.005,2")
     expect(0, "", CUT + "--profile-csv again")
     assert pathlib.Path("gap.csv").read_text().count("\n") > 20 and pathlib.Path("again").exists()
-
-
-@pytest.mark.parametrize("flag, given", [("truncated-b", "--profile truncated --truncated-r 20 --coupling 0.02"),
-                                         ("power-n", "--profile power --power-c 0.005 --coupling 0.05")])
-def test_a_parameter_that_is_followed_is_what_a_trace_of_that_scene_finds(flag, given):
-    points = document(f"follow --key {flag} --from 2 --to 2.3 --points 4 --tolerance 1e-4 " + given)["points"]
-    assert any(p["followed"] for p in points)
-    solved = document(f"solve --tolerance 1e-4 {given} --{flag}", repr(points[1]["input"][flag.replace("-", "_")]))
-    agree(points[1]["pull_off"], solved["pull_off"], "force", times=2)
 
 
 # Cases: the keys, paths relative to the case file, and the content of a table as part of what was solved.

@@ -21,8 +21,7 @@ def energies(point):
     return sum(point["energies"][name] for name in ("stored", "adhesive", "spring"))
 
 
-@pytest.mark.parametrize("scene, preload", [("--tabor 1", 5.0), ("--tabor 0.3", 2.0), ("--tabor 3 --amplitude 1 --wavelength 20", 10.0),
-                                            ("--tabor 1 --amplitude 0.5 --wavelength 15", 4.0), ("--tabor 3", 6.0)])
+@pytest.mark.parametrize("scene, preload", [("--tabor 0.3", 2.0), ("--tabor 3 --amplitude 1 --wavelength 20", 10.0)])
 def test_the_fast_limit_is_an_elastic_scene(scene, preload, tmp_path):
     """The gap f' = k f + (1 - k)(H0 + D0) as a table, and the coupling k kappa; both surfaces are cut at one radius."""
     k, outer = 0.1, 60.0
@@ -141,15 +140,6 @@ def test_theories_of_a_body_that_is_not_relaxed_are_undecided():
         assert next(row["assumptions"] for row in rows if row["theory"] == "persson-brener") == expected
 
 
-def test_a_body_on_a_long_dwell_needs_more_force():
-    """The force grows with the dwell, from that without to that of the relaxed contact."""
-    scene = "solve --tabor 1 --preload-load 0.5 --viscoelastic sls:0.1 --unload-speed 10 --tolerance 1e-4"
-    forces = [document(f"{scene} --load-speed 10 --dwell {dwell}")["pull_off"]["force"] for dwell in ("0", "0.3", "3", "inf")]
-    forces.append(document(scene)["pull_off"]["force"])
-    assert forces[:4] == sorted(forces[:4]) and forces[0] < 0.5 * forces[3]
-    assert forces[3] == pytest.approx(forces[4], rel=1e-4)
-
-
 def test_speed_of_loading_and_dwell_have_si_units():
     scene = "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8 --preload-m 6e-10 --viscoelastic sls:0.2"
     times = "--relaxation-time-s 1e-3 --unload-speed-m-per-s 6e-7 --load-speed-m-per-s 3e-7 --dwell-s 2e-3"
@@ -257,9 +247,7 @@ sweep: [{table: bodies.csv}]
 
 
 @pytest.mark.parametrize("scene, held", [("--tabor 10 --preload 10 --unload-speed 0 --viscoelastic sls:0.1", ["jkr", "persson-brener"]),
-                                         ("--tabor 10 --preload 10 --unload-speed 1 --viscoelastic sls:0.1", ["persson-brener"]),
                                          ("--tabor 6 --preload 50 --unload-speed 2.5 --viscoelastic gamma:0.45,1.1", ["persson-brener"]),
-                                         ("--tabor 10 --preload 10 --unload-speed 100 --viscoelastic sls:0.1", []),
                                          ("--tabor 7 --preload 50 --unload-speed inf --viscoelastic sls:0.3", ["jkr-at-once"]),
                                          ("--tabor 0.05 --preload 60 --unload-speed inf --viscoelastic sls:0.3", ["rigid-at-once"])])
 def test_theories_that_hold_are_near(scene, held):

@@ -1,13 +1,11 @@
-"""Loading and unloading through a spring: its limits, where it jumps, what it loses, and its units."""
+"""Loading and unloading through a spring: where it jumps, what it loses, and its units. Its closed forms and staircases are in
+tests/harness/test_hysteresis.c."""
 
 import math
 import random
 
 import pytest
 from conftest import ROOT, document, expect, rows_of, run
-
-SCENES = ["--tabor 2", "--tabor 0.3", "--tabor 0", "--tabor 3 --amplitude 1 --wavelength 20",
-          "--profile cone:0.3 --coupling 0.4 --law morse:2"]
 
 
 def loops(words, *more):
@@ -29,55 +27,10 @@ def same(ours, theirs, tolerance):
     return math.isclose(ours, theirs, rel_tol=tolerance, abs_tol=tolerance)
 
 
-@pytest.mark.parametrize("scene", SCENES)
-def test_a_stiff_spring_gives_the_approach(scene):
-    found = loops(f"{scene} --stiffness 1e9")
-    spring, held = found["spring"], found["displacement_control"]
-    assert spring["stiffness"] == 1e9
-    assert len(spring["jumps"]) == len(held["jumps"])
-    assert same(spring["energy_lost"], held["energy_lost"], 1e-6)
-    for ours, theirs in zip(spring["jumps"], held["jumps"]):
-        for end in ("before", "after"):
-            # the base moves by W/1e9, and near a fold the load goes as the root of that, 3e-5
-            assert same(ours[end]["load"], theirs[end]["load"], 1e-4)
-
-
-@pytest.mark.parametrize("scene", SCENES)
-def test_a_soft_spring_gives_the_load(scene):
-    found = loops(f"{scene} --stiffness 1e-6")
-    spring, loaded = found["spring"], found["load_control"]
-    assert len(jumps(spring)) == len(jumps(loaded))
-    for ours, theirs in zip(jumps(spring), jumps(loaded)):
-        for end in ("before", "after"):
-            if theirs[end]["approach"] is not None:
-                # the load changes by 1e-6 for a unit of approach, and near its minimum the approach goes as the root
-                assert same(ours[end]["approach"], theirs[end]["approach"], 1e-3)
-    # the last jump drops W^2/(2 k) and what the separation of the surfaces costs
-    last = spring["jumps"][-1]
-    assert same(last["energy_lost"], last["before"]["load"]**2 / 2e-6 + last["before"]["energy"], 1e-6)
-
-
-@pytest.mark.parametrize("scene", SCENES)
-@pytest.mark.parametrize("stiffness", [0.02, 0.3])
-def test_the_base_turns_where_the_spring_jumps(scene, stiffness):
-    """The points of the curve, from the same document, show where the position of the base has an extremum."""
-    whole = document(f"solve {scene} --want hysteresis,curve --stiffness {stiffness}")
-    curve, spring = whole["curve"], whole["hysteresis"]["spring"]
-    assert spring["jumps"]
-    for jump in spring["jumps"]:
-        assert same(base(jump["before"], stiffness), base(jump["after"], stiffness), 1e-8)
-        near = [point for point in curve if abs(point["position"] - jump["before"]["position"]) < 0.5]
-        bases = [base(point, stiffness) for point in near]
-        here = base(jump["before"], stiffness)
-        # between two points the curve may rise above both by a thousandth of what it rises around them
-        slack = 1e-3 * (max(bases) - min(bases)) + 1e-9
-        assert here >= max(bases) - slack if jump["phase"] == "loading" else here <= min(bases) + slack
-
-
 def test_stated_errors_hold_and_the_energy_balance_closes():
     """The work done by the base in a cycle is the sum of what the jumps lose; random stiffnesses."""
     numbers = random.Random(7)
-    for _ in range(8):
+    for _ in range(5):
         scene = f"--tabor {10**numbers.uniform(-1, 0.7):.4g} --stiffness {10**numbers.uniform(-4, 1):.4g}"
         if numbers.random() < 0.5:
             scene += f" --amplitude {10**numbers.uniform(-1, 0.3):.3g} --wavelength {numbers.uniform(8, 40):.3g}"
@@ -90,10 +43,9 @@ def test_stated_errors_hold_and_the_energy_balance_closes():
         assert abs(tight["work"] - tight["energy_lost"]) <= 1e-6 * (1 + tight["energy_lost"]), scene
 
 
-@pytest.mark.parametrize("stiffness", [0.02, 0.3, 1e9])
-def test_stability_at_a_given_base(stiffness):
+def test_stability_at_a_given_base():
     """One more mode is unstable where base and approach move against each other along the branch."""
-    scene = "--tabor 3 --amplitude 1 --wavelength 20"
+    scene, stiffness = "--tabor 3 --amplitude 1 --wavelength 20", 0.3
     whole = document(f"solve {scene} --want hysteresis,curve --stiffness {stiffness}")
     curve = whole["curve"]
     wrong = 0
@@ -108,7 +60,7 @@ def test_stability_at_a_given_base(stiffness):
         behind = [p for p in curve if p["position"] < jump["before"]["position"] - 1e-3]
         stable, unstable = (behind[-1], ahead[0]) if jump["phase"] == "loading" else (ahead[0], behind[-1])
         assert stable["unstable_modes_at_base"] == 0 < unstable["unstable_modes_at_base"]
-    for fold in whole["folds"] if stiffness < 1 else []:  # just after a fold; a stiff base turns at once
+    for fold in whole["folds"]:  # just after a fold
         near = next(p for p in curve if p["position"] > fold["position"])
         assert fold["unstable_modes_at_base"] == near["unstable_modes_at_base"]
     assert "unstable_modes_at_base" not in document(f"solve {scene} --want curve")["curve"][0]
@@ -139,41 +91,6 @@ def test_jumps_are_those_of_a_relaxation_in_time(key, rows):
             assert abs(value - float(row[name])) <= float(row[name + "_uncertainty"]), (name, value, row)
 
 
-def staircases(words):
-    return document(f"solve {words} --want preload")["staircase"]
-
-
-def test_the_limits_of_staircases():
-    scene = "--tabor 3 --amplitude 1 --wavelength 20"
-    for stiffness, control, tolerance in ("1e9", "displacement_control", 1e-4), ("1e-5", "load_control", 1e-3):
-        found = staircases(f"{scene} --stiffness {stiffness}")
-        for of in found, found["jkr"]:
-            assert of["spring"]["stiffness"] == float(stiffness)
-            assert [step["force"] for step in of["spring"]["steps"]] == [step["force"] for step in of[control]["steps"]]
-            for ours, theirs in zip(of["spring"]["steps"], of[control]["steps"]):
-                assert theirs["preload"]["approach"] is None or same(ours["preload"]["load"], theirs["preload"]["load"], tolerance)
-    assert "spring" not in staircases(scene)
-
-
-@pytest.mark.parametrize("scene, stiffness", [("--tabor 3 --amplitude 1 --wavelength 20", 0.3),
-                                              ("--tabor 4 --amplitude 0.4 --wavelength 10 --outer-radius 100", 0.7)])
-def test_a_staircase_is_what_single_tests_through_the_spring_measure(scene, stiffness):
-    """Before and after every step and every cycle, one test to that approach."""
-    stairs = staircases(f"{scene} --stiffness {stiffness}")["spring"]
-    reached = stairs["reached"]["approach"]
-    cycles = [(cycle["preload"]["approach"], step, cycle) for step in stairs["steps"] for cycle in step["cycles"]]
-    assert len(cycles) >= 2
-    for (begin, step, cycle), end in zip(cycles, [after[0] for after in cycles[1:]] + [stairs["reached"]["approach"]]):
-        if step["until"]["approach"] < end:  # then the tension is greatest where loading is reversed
-            end = step["until"]["approach"]
-        for approach in (begin + 1e-3 * (end - begin), end - 1e-3 * (end - begin)):
-            spring = loops(f"{scene} --stiffness {stiffness} --preload={approach!r} --approach-end {reached}")["spring"]
-            assert same(spring["pull_off"]["force"], step["force"], 2 * step["error_estimate"]), (approach, step)
-            assert len(spring["jumps"]) == cycle["jumps"]
-            bound = spring["energy_lost_error_estimate"] + cycle["energy_lost_error_estimate"]
-            assert abs(spring["energy_lost"] - cycle["energy_lost"]) <= bound, (approach, cycle)
-
-
 def test_units():
     tip = ("solve --from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8")
     found = document(f"{tip} --preload-load-n 2e-9 --stiffness-n-per-m 2")
@@ -186,7 +103,7 @@ def test_units():
     expect(2, "*--stiffness-n-per-m is 1: expected it with --from-physical, as it is in SI units", "solve --tabor 1 --stiffness-n-per-m 1")
     expect(2, "*--preload-load-n is 1: expected it with --from-physical, as it is in SI units", "solve --tabor 1 --preload-load-n 1")
     # a profile without a radius has another unit of load
-    unit = loops("--profile cone:0.3 --coupling 2 --stiffness 0.5")
+    unit = loops("--profile cone:0.3 --coupling 2 --outer-radius 30 --tolerance 1e-3 --stiffness 0.5")
     assert same(unit["spring"]["stiffness"], 0.5, 1e-15)
 
 

@@ -19,17 +19,17 @@ for verb in solve compare follow theory contact-law profile fit plot list plan r
   check "help of $verb has an example" grep -q "^Example: pulloff $verb" "$work/stdout"
   expect 2 "pulloff: unknown option --frobnicate of $verb (see pulloff $verb --help)" \
     "$verb" --frobnicate
-  # Operands before options, letters with a value attached, values of options that take none, and beginnings of several
-  # options: "run smoke -j2" ended with "unknown option smoke".
-  expect 2 "pulloff: unknown option --frobnicate=3 of $verb (see pulloff $verb --help)" "$verb" word other --frobnicate=3
-  for given in '-q' '-q2' 'word -q2' 'word -q 2' '-q2 word' 'word other -qx'; do
-    # shellcheck disable=SC2086
-    expect 2 "pulloff: unknown option -q of $verb (see pulloff $verb --help)" "$verb" $given
-  done
   expect 2 "pulloff: --help=3 of $verb has a value: expected --help without one (see pulloff $verb --help)" \
     "$verb" word --help=3
   expect 0 '' "$verb" word -h
   check "help of $verb after an operand" cmp -s "$work/stdout" "$work/help"
+done
+# Operands before options, letters with a value attached, values of options that take none, and beginnings of several options:
+# "run smoke -j2" ended with "unknown option smoke".
+expect 2 'pulloff: unknown option --frobnicate=3 of run (see pulloff run --help)' run word other --frobnicate=3
+for given in '-q' '-q2' 'word -q2' 'word -q 2' '-q2 word' 'word other -qx'; do
+  # shellcheck disable=SC2086
+  expect 2 'pulloff: unknown option -q of run (see pulloff run --help)' run $given
 done
 for verb in run verify explain bless; do
   for given in '-jx word' '-j x word' 'word -jx' 'word --jobs=x' 'word --job x'; do
