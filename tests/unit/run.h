@@ -1,6 +1,8 @@
 /* The tests of a file as a program: TEST, LOOP_TEST and TABLE_TEST begin a test like the head of a
  * function, and main runs all of them; the exit status says whether all passed. The environment
- * variable RUN_TESTS names those that are run, separated by blanks (default: all). */
+ * variable RUN_TESTS names those that are run, separated by blanks (default: all). With RUN_FEW,
+ * those with more than four rounds are run for the first, the middle and the last _i: for builds in
+ * which tests are slow, and in which only the lines count that are run. */
 #ifndef RUN_H
 #define RUN_H
 
@@ -56,9 +58,17 @@ int main(void) {
   TCase *tests = tcase_create(__BASE_FILE__);
   tcase_set_timeout(tests, 200.0);
   tcase_add_checked_fixture(tests, before_each, after_each);
-  for (size_t k = 0; k < test_count; ++k)
-    if (is_asked(all_tests[k].name))
-      tcase_add_loop_test(tests, *all_tests[k].test, all_tests[k].begin, all_tests[k].end);
+  for (size_t k = 0; k < test_count; ++k) {
+    const int begin = all_tests[k].begin, end = all_tests[k].end;
+    if (!is_asked(all_tests[k].name))
+      continue;
+    if (getenv("RUN_FEW") && end - begin > 4) {
+      const int few[] = {begin, (begin + end) / 2, end - 1};
+      for (int i = 0; i < 3; ++i)
+        tcase_add_loop_test(tests, *all_tests[k].test, few[i], few[i] + 1);
+    } else
+      tcase_add_loop_test(tests, *all_tests[k].test, begin, end);
+  }
   suite_add_tcase(suite, tests);
   SRunner *runner = srunner_create(suite);
   srunner_run_all(runner, CK_NORMAL);
