@@ -178,16 +178,6 @@ def make_published(folder):
                      for place, (approach, load) in enumerate(spring_branch(tabor, 0.3))])
 
 
-def make_published_pull_off(folder):
-    """The same of the pull-off against the Tabor parameter."""
-    os.makedirs(os.path.join(folder, "published"), exist_ok=True)
-    write_reference(folder, "published/feng_fig4.csv", dict(header("markers of a figure", "published"),
-                                                            method="digitised by nobody"),
-                    ["tabor", "force", "approach", "force_uncertainty", "approach_uncertainty"],
-                    [(tabor, pull_off(tabor)[0] + 0.004, pull_off(tabor)[1] - 0.02, 0.005, 0.02)
-                     for tabor in (0.02, 0.1, 0.5, 1, 2, 3, 5)])
-
-
 def make_fig03_left_out(run):
     make_fig03(run, left_out=[{"quantity": "curve", "reference": "reference/" + PUBLISHED,
                                "stand_in": "reference/feng_curves.csv"}])

@@ -378,18 +378,6 @@ class Parts(PageTest):
         self.has(text, "Crosses: Feng’s own points, read off his figure")
         self.has(text, "Feng’s points (the curves of his Figure 3) were read off a printed figure and are in reference/published/feng_fig3.csv")
 
-    def test_published_pull_offs_are_absent_or_drawn(self):
-        with made_up(synthetic.make_fig04) as folder:
-            text = plain(page_of(folder))
-            self.has(text, "Feng’s points (the curves of his Figure 3 and his pull-off against μ, Figure 4) are not available",
-                     "reference/published/feng_fig3.csv or reference/published/feng_fig4.csv, is added")
-            self.lacks(text, "Crosses: Feng’s own points")
-            synthetic.make_published_pull_off(os.path.join(folder, "reference"))
-            html = page_of(folder)
-        self.has(plain(html), "Crosses: Feng’s own points, read off a figure", "Feng, read off a figure",
-                 "Feng’s points (his pull-off against μ, Figure 4) were read off a printed figure and are in reference/published/feng_fig4.csv",
-                 "Feng’s points (the curves of his Figure 3) are not available in tabulated form")
-
     def test_planted_faults_are_a_matrix_or_a_sentence(self):
         with made_up(synthetic.make_fig03) as folder:
             self.has(plain(page_of(folder)), "planted faults (./reproduce --only faults)")
