@@ -6,7 +6,7 @@
 #include "po_random.h"
 #include "po_series.h"
 #include "po_solve.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "run.h"
 
 enum { MOST = 24, SEED = 2385 };

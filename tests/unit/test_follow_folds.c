@@ -4,7 +4,7 @@
 #include "po_continuation.h"
 #include "po_follow.h"
 #include "po_solve.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "run.h"
 
 enum { MOST = 16 };

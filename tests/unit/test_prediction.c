@@ -3,7 +3,7 @@
 
 #include "po_continuation.h"
 #include "po_prediction.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "run.h"
 
 enum { MOST = 200 };

@@ -6,7 +6,7 @@
 #include "po_continuation.h"
 #include "po_memory.h"
 #include "po_scaled_tangent.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "run.h"
 
 static const double TOLERANCE = 1e-8;

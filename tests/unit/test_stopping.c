@@ -5,7 +5,7 @@
 
 #include "po_deadline.h"
 #include "po_solve.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "request.h"
 #include "run.h"
 

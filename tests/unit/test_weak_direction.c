@@ -13,7 +13,7 @@
 #include "po_memory.h"
 #include "po_scales.h"
 #include "po_solve.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "run.h"
 
 static const double TOLERANCE = 1e-6;

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_continuation_parts.h"
+#include "po_continuation_internal.h"
 #include "po_initial_gap.h"
 #include "po_memory.h"
 

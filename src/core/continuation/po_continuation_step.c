@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "po_continuation_parts.h"
+#include "po_continuation_internal.h"
 #include "po_elementary.h"
 #include "po_hermite.h"
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "po_law.h"
-#include "po_march_parts.h"
+#include "po_march_internal.h"
 
 /* The length of the first step, and of the first after a jump, eps; the greatest growth of a step;
  * and the shortest step of the glassy body, below which the contact jumps. */

@@ -13,7 +13,7 @@
 #include <math.h>
 
 #include "po_law.h"
-#include "po_march_parts.h"
+#include "po_march_internal.h"
 
 /* x of the first step, and the factors by which it grows at most after a step and falls if no
  * equilibrium is found or the gap changes too much. */

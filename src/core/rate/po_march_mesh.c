@@ -7,7 +7,7 @@
 #include "po_corrector.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
-#include "po_march_parts.h"
+#include "po_march_internal.h"
 #include "po_root.h"
 
 /* Allowed last Legendre coefficients of the history on a panel, relative to the allowed error of

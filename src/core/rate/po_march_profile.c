@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_march_parts.h"
+#include "po_march_internal.h"
 
 /* Distance from what is wanted, relative to 1 + its modulus, at which a state has it. */
 static const double SAME = 1e-10;

@@ -6,7 +6,7 @@
 #include "po_elementary.h"
 #include "po_law.h"
 #include "po_linear.h"
-#include "po_march_parts.h"
+#include "po_march_internal.h"
 
 /* x below which phi1 and phi2 are sums of their series, whose terms beyond are below 1e-17. */
 static const double SMALL_X = 0.01;

@@ -4,7 +4,7 @@
 
 #include "po_estimate.h"
 #include "po_follow.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 /* The continuation parameter of a scene is its index in the series; non-integer values interpolate
  * between scenes. */

@@ -10,7 +10,7 @@
 #include "po_hermite.h"
 #include "po_memory.h"
 #include "po_solution.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 static bool is_special(const po_branch_point *p) {
   return p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION &&

@@ -11,7 +11,7 @@
 #include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "po_stopping.h"
 
 /* The special points of the result, folds and extrema of the load: sizes of their lists. */

@@ -10,7 +10,7 @@
 #include "po_quadrature.h"
 #include "po_refine.h"
 #include "po_solution.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 /* Allowed distance between the branch and the cubics through its points: MISS_OF_TOLERANCE times
  * the tolerance of panels, but at least LEAST_MISS, or LEAST_OF_STAIRCASE if no curve is drawn. The

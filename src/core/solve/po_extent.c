@@ -12,7 +12,7 @@
 #include "po_rigid.h"
 #include "po_scales.h"
 #include "po_solve.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "po_special_point.h"
 
 /* If the repulsion of the central crest is PUSH_PER_LOAD times the load plus PUSH_BEYOND_LOAD, it

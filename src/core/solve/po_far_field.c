@@ -8,7 +8,7 @@
 #include "po_panel_table.h"
 #include "po_rigid.h"
 #include "po_scales.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 /* -- The error of a solution -- */
 

@@ -6,7 +6,7 @@
 #include "po_collector.h"
 #include "po_loop.h"
 #include "po_refine.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "po_staircase.h"
 
 /* Where the trace begins at the farthest for a soft spring, eps. A sphere under Lennard-Jones

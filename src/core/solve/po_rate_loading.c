@@ -8,7 +8,7 @@
 #include "po_corrector.h"
 #include "po_deadline.h"
 #include "po_memory.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 /* Distance of the approach from that of the preload that is rounding, relative to 1 + the latter.
  */

@@ -11,7 +11,7 @@
 #include "po_memory.h"
 #include "po_rate_loading.h"
 #include "po_rate_solve.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 /* -- Marches -- */
 

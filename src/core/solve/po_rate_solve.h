@@ -4,7 +4,7 @@
 
 #include "po_request.h"
 #include "po_result.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 #include "po_surface.h"
 
 /* Loads the relaxed body to the preload and unloads it at the speed of the request. Given: the

@@ -6,7 +6,7 @@
 #include "po_initial_gap.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
-#include "po_reduced_parts.h"
+#include "po_reduced_internal.h"
 #include "po_rigid.h"
 
 /* Width of an edge, as po_reduced_width, with the greatest and the least range that is solved. Half

@@ -10,7 +10,7 @@
 
 #include "po_request.h"
 #include "po_result.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 /* The width of a contact edge, eps/c, over the shortest wavelength, or over Gamma (Eq 14) if the
  * sphere is smooth. */

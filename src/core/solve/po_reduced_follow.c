@@ -9,7 +9,7 @@
 #include "po_elementary.h"
 #include "po_follow.h"
 #include "po_memory.h"
-#include "po_reduced_parts.h"
+#include "po_reduced_internal.h"
 
 /* The parameter is the logarithm of the range. */
 struct po_range_course {

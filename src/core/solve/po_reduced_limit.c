@@ -5,7 +5,7 @@
 #include "po_elementary.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
-#include "po_reduced_parts.h"
+#include "po_reduced_internal.h"
 
 enum { TERMS = PO_RANGE_TERMS, SOLVES = PO_RANGES_OF_LIMIT };
 

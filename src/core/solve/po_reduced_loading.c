@@ -7,7 +7,7 @@
  * follows. */
 #include <math.h>
 
-#include "po_reduced_parts.h"
+#include "po_reduced_internal.h"
 
 /* Finds out on which side of the preload a point of loading is at the true range. Given: whether
  * its load or its approach counts. Returned: *side: -1: below, the jump is made; 1: above, it is

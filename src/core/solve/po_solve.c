@@ -9,7 +9,7 @@
 #include "po_machine.h"
 #include "po_reduced.h"
 #include "po_scales.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 /* The preload of the loops of the JKR theory: the approach of the request, otherwise the load at
  * which the solve reversed the loading. */

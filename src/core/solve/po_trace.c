@@ -12,7 +12,7 @@
 #include "po_reduced.h"
 #include "po_rigid.h"
 #include "po_rigid_trace.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
 /* Greatest allowed distance of a wanted curve from the straight lines between its points, in eps
  * and pi w R. */

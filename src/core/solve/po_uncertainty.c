@@ -9,10 +9,10 @@
 #include "po_memory.h"
 #include "po_order.h"
 #include "po_profile_table.h"
-#include "po_solve_parts.h"
+#include "po_solve_internal.h"
 
-/* Solves a request with a changed input, as long as the deadline of the solve permits. Given: what is
- * missing if it does not. Returned: again, to be cleared. Status: PO_OK also if the solve fails;
+/* Solves a request with a changed input, as long as the deadline of the solve permits. Given: what
+ * is missing if it does not. Returned: again, to be cleared. Status: PO_OK also if the solve fails;
  * PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME. */
 static po_status solve_again(const po_request *request, const po_request *moved,
                              const char *missing, po_result *again) {

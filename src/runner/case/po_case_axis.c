@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_case_parts.h"
+#include "po_case_internal.h"
 #include "po_memory.h"
 #include "po_range.h"
 
@@ -199,4 +199,3 @@ bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request
       return false;
   return true;
 }
-

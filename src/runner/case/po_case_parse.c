@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_case_parts.h"
+#include "po_case_internal.h"
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_series.h"

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_case_parts.h"
+#include "po_case_internal.h"
 #include "po_csv.h"
 #include "po_memory.h"
 

@@ -1,4 +1,4 @@
-#include "po_case_parts.h"
+#include "po_case_internal.h"
 #include "po_field_table.h"
 
 static const char A_KEY[] = "a key of the scene", VALUES[] = "a list of values",

@@ -1,6 +1,6 @@
 /* Private to the files po_march*.c: the state of a march, its fields and its step. */
-#ifndef PO_MARCH_PARTS_H
-#define PO_MARCH_PARTS_H
+#ifndef PO_MARCH_INTERNAL_H
+#define PO_MARCH_INTERNAL_H
 
 #include "po_march.h"
 #include "po_memory.h"

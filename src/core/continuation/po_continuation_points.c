@@ -1,6 +1,6 @@
 #include <math.h>
 
-#include "po_continuation_parts.h"
+#include "po_continuation_internal.h"
 #include "po_hermite.h"
 #include "po_refine.h"
 

@@ -1,7 +1,7 @@
 /* Functions of the solve of one scene; some are shared with the parameter continuation of its
  * special points. */
-#ifndef PO_SOLVE_PARTS_H
-#define PO_SOLVE_PARTS_H
+#ifndef PO_SOLVE_INTERNAL_H
+#define PO_SOLVE_INTERNAL_H
 
 #include "po_branch_point.h"
 #include "po_request.h"

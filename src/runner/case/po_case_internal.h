@@ -1,6 +1,6 @@
 /* The parts of reading a case file: its content is checked, and the points are computed from it. */
-#ifndef PO_CASE_PARTS_H
-#define PO_CASE_PARTS_H
+#ifndef PO_CASE_INTERNAL_H
+#define PO_CASE_INTERNAL_H
 
 #include "po_case.h"
 #include "po_fields.h"

@@ -1,7 +1,7 @@
 /* Private to the files po_continuation*.c: the state of a continuation, and the functions that
  * solve a point, make a step, and locate and visit its points. */
-#ifndef PO_CONTINUATION_PARTS_H
-#define PO_CONTINUATION_PARTS_H
+#ifndef PO_CONTINUATION_INTERNAL_H
+#define PO_CONTINUATION_INTERNAL_H
 
 #include "po_continuation.h"
 #include "po_corrector.h"

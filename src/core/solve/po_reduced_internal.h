@@ -1,7 +1,7 @@
 /* Private to the files po_reduced*.c: the ranges of the attraction that are solved, the special
  * points that are followed from one to the next, and their limit. */
-#ifndef PO_REDUCED_PARTS_H
-#define PO_REDUCED_PARTS_H
+#ifndef PO_REDUCED_INTERNAL_H
+#define PO_REDUCED_INTERNAL_H
 
 #include "po_estimate.h"
 #include "po_reduced.h"
