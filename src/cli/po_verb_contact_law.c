@@ -10,6 +10,7 @@
 #include "po_particle_text.h"
 #include "po_quote.h"
 #include "po_suggest.h"
+#include "po_theory_forces.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -200,6 +201,23 @@ static void add_scene(const law_line *line, po_text *made) {
   }
 }
 
+/* By JKR theory, from which on a warning is due. */
+static const double EXCESS_OF_PARABOLA = 0.04;
+
+/* Warns if a contact is so wide that the parabola is no sphere. Other laws scale with the
+ * parabola. */
+static void warn_of_parabola(const po_request *request) {
+  const po_scene *scene = &request->scene;
+  if (!request->in_si || !po_profile_is_sphere(&scene->profile) || !(scene->tabor > 0.0))
+    return;
+  const double excess = PO_THEORY_FORCES.parabola_excess(scene);
+  if (excess > EXCESS_OF_PARABOLA)
+    fprintf(stderr,
+            "pulloff: warning: the contact is so wide that by JKR theory the parabola r^2/(2R) "
+            "pulls %.0f %% more than a sphere; --profile exact_sphere is the sphere\n",
+            100.0 * excess);
+}
+
 static po_status make_law(const law_line *line) {
   po_particle_law law;
   po_particle_numbers half, twice;
@@ -214,6 +232,7 @@ static po_status make_law(const law_line *line) {
     t.half = &half;
     t.twice = &twice;
   }
+  warn_of_parabola(&line->request);
   char error[PO_NUMBER_LENGTH];
   po_number_print(line->error, error);
   po_text made = {0};

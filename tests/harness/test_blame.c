@@ -41,6 +41,21 @@ TABLE_TEST(the_side_at_fault, SIDES) {
   ck_assert_msg(strstr(blame.why, SIDES[_i].why) != NULL, "%s", blame.why);
 }
 
+/* A difference of 3e-3 from an oracle that is right to 1e-10, with a stated error of the result. */
+static const struct {
+  double stated;
+  const char *side;
+} ERRORS[] = {{4e-3, "tolerance"}, {2e-3, "program"}};
+
+TABLE_TEST(a_difference_within_the_stated_errors_is_no_fault, ERRORS) {
+  made_results[0].result = (po_result){
+      .has_pull_off = true, .pull_off.force = 1.503, .pull_off.force_error = ERRORS[_i].stated};
+  const size_t oracle = found(ORACLE, 0, "pull_off_force", "", 1.503, 1.5, 1e-10);
+  po_blame blame;
+  po_blame_find(&made_run, &made_run.check_results.items[oracle], &blame);
+  ck_assert_str_eq(blame.side, ERRORS[_i].side);
+}
+
 /* The stored force, whether the digest is the stored one, and what is reported of a force of 1.503
  * that an oracle, 1.5 with tolerance 1e-3, contradicts. */
 static const struct {

@@ -360,6 +360,10 @@ static void print_unloading(const po_request *request, const po_result *o) {
       r->speed, r->begin.approach, r->begin.load,
       po_number_or("%.8g", r->time, isinf(r->speed) ? "0" : "infinitely many", time), r->jumps,
       po_one_or_more(r->jumps, "jump", "jumps"));
+  if (request->creep.kind == PO_CREEP_SLS)
+    printf(
+        "material deforms in tau_0 under a held load; a held deformation relaxes in %.6g tau_0\n",
+        request->creep.ratio);
   printf("base     does the work %.8g +- %.1e until approach %.6g, in %s epsilon\n", end->work,
          error->work, r->end.approach, po_input_load_unit(request));
   printf("losses   dissipated %.8g +- %.1e, in jumps %.8g +- %.1e\n", end->dissipated,

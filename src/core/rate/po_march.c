@@ -306,6 +306,7 @@ static po_status advance(po_march *m, double *length) {
     if (misfit <= REFUSED * aim) {
       po_march_finish(m, &scene);
       const double wish = AIM * sqrt(aim / fmax(misfit, 1e-300));
+      m->longest = fmax(m->longest, h);
       m->cap = h * fmin(GROWTH, m->options.like && misfit <= aim ? fmax(1.0, FREER * wish) : wish);
       return PO_OK;
     }
@@ -318,7 +319,8 @@ static po_status advance(po_march *m, double *length) {
 
 /* A jump changes the load, relative to 1 + its modulus, or the contact radius, relative to 1 + the
  * radius, by more than this; at a held load the approach, eps. Where all change less, the fold was
- * not passed yet, and the base is moved by more, at most by LONGEST_MOVE, eps. */
+ * not passed yet, and the base is moved by more, at most by
+ * LONGEST_MOVE, eps, or by a step of this phase that is within the tolerance of the approach. */
 static const double LEAST_JUMP = 0.01, MORE = 4.0, LONGEST_MOVE = 1e-3;
 
 static bool is_jump(const po_march *m, const po_rate_point *before, const po_rate_point *after) {
@@ -336,10 +338,13 @@ static po_status step(po_march *m, bool *jumped) {
   if (status != PO_STEP_TOO_SMALL)
     return status;
   const po_rate_point before = m->held.point;
+  const double tolerance = m->options.misfit * m->options.misfit;
+  const double longest =
+      fmax(LONGEST_MOVE, fmin(m->longest, tolerance * (1.0 + fabs(before.approach))));
   for (;; length *= MORE) {
     status = po_march_jump(m, length);
     *jumped = !status && is_jump(m, &before, &m->next.point);
-    if (status || *jumped || length > LONGEST_MOVE)
+    if (status || *jumped || length > longest)
       break;
     po_march_exchange(&m->held, &m->next);
     m->is_here = false;
@@ -430,6 +435,7 @@ static po_status start_phase(po_march *m, po_march_phase phase, double direction
   m->speed = speed;
   m->end = end;
   m->cap = FIRST_LENGTH;
+  m->longest = 0.0;
   m->first[phase] = m->count;
   m->is_here = false;
   s->point.moved = s->length = 0.0;

@@ -75,6 +75,7 @@ struct po_march {
   po_march_hold holds; /* in this phase */
   double held_value;   /* of what is held, unless it is the base */
   int orientation;     /* of a stable state; 0: not known yet */
+  double longest;      /* accepted step of this phase, eps */
   double cap;          /* greatest length of the next step, eps */
   po_march_record *records;
   size_t count, room, first[PO_MARCH_PHASES]; /* of the records: the first one of each phase */

@@ -23,7 +23,7 @@ static const double FIRST = 1.0, GROWTH = 2.0, CUT = 0.25, LEAST = 1e-8;
 static const double AIM = 0.6, GREATEST_CHANGE = 1.0;
 
 /* Change of a step over x, at which a state misses the equilibrium by rounding. */
-static const double STILL = 1e-12;
+static const double STILL = 1e-10;
 
 /* An edge moves by about a third of its width a step, and passes the whole contact. */
 enum { MOST_STEPS = 1000000 };

@@ -26,9 +26,12 @@ double po_compare_obtained(po_quantity quantity, const po_result *result) {
 }
 
 double po_compare_stated_error(po_quantity quantity, const po_result *result) {
-  const char *path = strchr(PO_QUANTITIES[quantity].path, '.') + 1;
-  const po_row *row = po_block_find(&PO_PULL_OFF_ROWS, NULL, path).row;
-  return po_block_number(&PO_PULL_OFF_ROWS, result, row->error);
+  static const char OF_PULL_OFF[] = "pull_off.";
+  const char *path = PO_QUANTITIES[quantity].path;
+  if (!path || strncmp(path, OF_PULL_OFF, strlen(OF_PULL_OFF)) != 0)
+    return NAN;
+  const po_row *row = po_block_find(&PO_PULL_OFF_ROWS, NULL, path + strlen(OF_PULL_OFF)).row;
+  return row && row->error ? po_block_number(&PO_PULL_OFF_ROWS, result, row->error) : (double)NAN;
 }
 
 /* Notes the correct digits, the log relative error, of a number that a row of a table certifies to

@@ -16,7 +16,7 @@ typedef enum {
   NO_QUANTITY,
   NO_TRACE,
   NO_SCENE,
-  TRACE_WITHIN_ERRORS,
+  WITHIN_ERRORS,
   TRACE_DIFFERS,
   SOLVER_FACTOR,
   SOLVER_CANNOT_SEE,
@@ -52,9 +52,9 @@ static const struct {
     [NO_SCENE] = {"reference",
                   "it does not contain this scene: add the scene to it, or exclude the scene from "
                   "the check by `when`"},
-    [TRACE_WITHIN_ERRORS] = {"tolerance",
-                             "the difference is within the stated errors of both values together, "
-                             "{number}: the tolerance is smaller than these"},
+    [WITHIN_ERRORS] = {"tolerance",
+                       "the difference is within the stated errors of both values together, "
+                       "{number}: the tolerance is smaller than these"},
     [TRACE_DIFFERS] = {"program",
                        "the trace of the same scene finds another pull-off: the continuation left "
                        "its branch, or the trace missed a minimum; the greater pull-off force is "
@@ -146,14 +146,15 @@ static const po_check_result *find_other(const po_check_results *check_results,
   return best;
 }
 
-/* A followed value differs from its trace, of which item->uncertainty is the stated error. */
-static situation judge_traced(const po_case_run *run, const po_check_result *item,
-                              word_list *words) {
+/* Whether a result differs from its reference by no more than both may be off, of which
+ * item->uncertainty is that of the reference. */
+static bool is_within_errors(const po_case_run *run, const po_check_result *item,
+                             word_list *words) {
   const double errors =
       item->uncertainty +
       po_compare_stated_error(item->check->quantity, &run->points[item->point].result);
   snprintf(words->number, sizeof words->number, "%.2g", errors);
-  return fabs(item->error) <= errors ? TRACE_WITHIN_ERRORS : TRACE_DIFFERS;
+  return fabs(item->error) <= errors;
 }
 
 /* Handles what does not depend on other references. Returned: SITUATIONS if they decide. */
@@ -172,7 +173,9 @@ static situation judge_alone(const po_case_run *run, const po_check_result *item
   case PO_MISSING_REFERENCE:
     return traced ? NO_TRACE : NO_SCENE;
   default:
-    return traced ? judge_traced(run, item, words) : SITUATIONS;
+    return !run->plan->solver && is_within_errors(run, item, words) ? WITHIN_ERRORS
+           : traced                                                 ? TRACE_DIFFERS
+                                                                    : SITUATIONS;
   }
 }
 

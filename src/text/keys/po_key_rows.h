@@ -148,7 +148,7 @@
   X(STIFFNESS_N_PER_M, "stiffness_n_per_m", POSITIVE, STIFFNESS, SI, SETS(STIFFNESS), CONSTANT, SPRING, "K", \
     HELP("stiffness of the spring through which the body is moved, in N/m")) \
   X(RELAXATION_TIME_S, "relaxation_time_s", POSITIVE, NUMBER, SI, NO_PLACE, CONSTANT, SERIES, "TAU", \
-    HELP("time tau_0 of --viscoelastic, in s")) \
+    HELP("time tau_0 of --viscoelastic, in s: that of creep under a held load; the modulus of sls:K relaxes in K tau_0")) \
   X(UNLOAD_SPEED_M_PER_S, "unload_speed_m_per_s", NOT_NEGATIVE_OR_INFINITE, NUMBER, SI, SETS(UNLOAD_SPEED), VARIES, \
     SERIES, "V", HELP("speed of unloading of --viscoelastic, in m/s; needs --relaxation-time-s, unless the " \
          "times of a table are in s")) \
