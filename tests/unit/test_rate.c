@@ -1,5 +1,6 @@
 /* Creep, and the pull-off of viscoelastic bodies: exact limits, order of convergence, energies. */
 #include <math.h>
+#include <string.h>
 
 #include "po_creep.h"
 #include "po_elementary.h"
@@ -125,6 +126,16 @@ LOOP_TEST(the_profile_is_that_of_the_elastic_body, 0, 3) {
   ck_assert_double_eq_tol(b.profile[0].traction, a.profile[0].traction, 1e-3);
   po_result_clear(&a);
   po_result_clear(&b);
+}
+
+/* A march that cannot end is refused before it begins. */
+TEST(an_edge_far_narrower_than_the_contact_is_refused) {
+  po_result result;
+  po_request request = rate_of(3000.0, 0.0, 5.0, SOLID, 1.0);
+  request.scene.radius = 1e6;
+  ck_assert_int_eq(po_solve(&request, &result), PO_TOO_MANY_POINTS);
+  ck_assert_msg(strstr(result.reason, "more than 200000 steps") != NULL, "%s", result.reason);
+  po_result_clear(&result);
 }
 
 /* Without an approach or a load the profile is that of the greatest tension. */

@@ -27,6 +27,20 @@ static const double AT_END = 1e-13;
 
 enum { MOST_RECORDS = 200000 };
 
+/* An edge passes at least a quarter of a step in its own width. */
+static const double STEPS_A_WIDTH = 0.25;
+
+po_status po_march_check(double coupling, const po_creep_terms *terms, double radius) {
+  const double width = 1.0 / (coupling * terms->instant), steps = STEPS_A_WIDTH * radius / width;
+  return steps <= MOST_RECORDS
+             ? PO_OK
+             : po_fail(PO_TOO_MANY_POINTS,
+                       "the contact edge, about %.2g epsilon wide, passes %.3g epsilon: that is "
+                       "more than %d steps in time; pulloff compare has the theory of Persson and "
+                       "Brener, which needs none",
+                       width, radius, MOST_RECORDS);
+}
+
 static po_status allocate(po_march *m) {
   const size_t capacity = m->e->surface->capacity, size = capacity + 1;
   po_march_state *const states[] = {&m->before, &m->held, &m->here, &m->next, &m->after};

@@ -73,6 +73,11 @@ po_status po_march_create(po_equilibrium *e, po_allowance allowed, const po_solu
                           const po_march_options *options, po_march **march);
 void po_march_destroy(po_march *march);
 
+/* Refuses a march that would take more steps than there may be: the edge of the contact passes its
+ * radius, and is about 1/(coupling k) wide. Given: the coupling of the relaxed body, the radius at
+ * the preload, eps. Status: PO_TOO_MANY_POINTS. */
+po_status po_march_check(double coupling, const po_creep_terms *terms, double radius);
+
 /* Loads, dwells and unloads until the visitor ends the march. Status: PO_STEP_TOO_SMALL if a jump
  * leads nowhere; PO_TOO_MANY_POINTS, PO_OUT_OF_NODES; those of po_deadline_check. */
 po_status po_march_run(po_march *march);

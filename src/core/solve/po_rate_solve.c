@@ -327,7 +327,8 @@ static po_status take_profile(const po_request *request, const po_surface *surfa
 }
 
 static po_status march_all(const po_request *request, const po_attempt *a, po_equilibrium *e,
-                           const po_solution *start, const po_far_field *far, po_result *o) {
+                           const po_solution *start, double radius, const po_far_field *far,
+                           po_result *o) {
   po_creep_terms terms;
   run r[3] = {{0}};
   const po_preload preload = po_request_preload(request);
@@ -347,7 +348,9 @@ static po_status march_all(const po_request *request, const po_attempt *a, po_eq
   if (!isnan(request->stiffness))
     options.base += start->load / request->stiffness;
   const double tolerance = a->tolerance;
-  po_status status = march(request, e, start, tolerance, options, false, &r[0]);
+  po_status status = po_march_check(po_scene_coupling(&request->scene), &terms, radius);
+  if (!status)
+    status = march(request, e, start, tolerance, options, false, &r[0]);
   options.like = r[0].march;
   options.end = r[0].read.last.moved; /* the same for all, so that energies can be compared */
   if (!status)
@@ -395,10 +398,11 @@ po_status po_rate_solve(const po_request *request, const po_attempt *a, po_surfa
   if (!status) {
     const po_far_field far = po_far_field_of(&request->scene, &reached);
     po_contact_gap gap = po_contact_gap_on_panels(&request->scene, &reached);
-    status =
-        po_solve_is_cut_off(&request->scene, po_contact_radius(&gap), a->core)
-            ? PO_OUT_OF_DOMAIN
-            : march_all(request, a, e, po_rate_is_loaded(request) ? &first : &reached, &far, o);
+    const double radius = po_contact_radius(&gap);
+    status = po_solve_is_cut_off(&request->scene, radius, a->core)
+                 ? PO_OUT_OF_DOMAIN
+                 : march_all(request, a, e, po_rate_is_loaded(request) ? &first : &reached, radius,
+                             &far, o);
   }
   if (e) {
     const size_t most = o->work.nodes > l.most_nodes ? o->work.nodes : l.most_nodes;
