@@ -122,7 +122,7 @@ ROWS = {
     "fig7-three-decades": (lambda: [math.log10(2 / rigid_pull_off(10000, 100)[0])], 1e-9),
     "fig7-rumpf": (lambda: [math.log10(rigid_pull_off(a, 1)[0] / rigid_pull_off(a, 0.1)[0]) / math.log10(model(1, r) / model(0.1, r))
                             for a, r in ((100, 10000), (10000, 1000), (10, 10000), (100, 100))], 1e-9),
-    "fig7-rumpf-limit": (lambda: [2 * model(1e6, 100)], 1e-9),
+    "fig7-rumpf-limit": (lambda: [2 * model(1e6, 100), model(1e6, 100)], 1e-9),
     "fig8-high-rigid": (lambda: [rigid_scene(10) / rigid_scene(1)], 1e-9),
     "fig8-high-jkr": (lambda: [guduru(5, 10, 20)], 1e-6),
     "eq24-jkr": (lambda: [max(max(guduru(*s) / envelope(*s), envelope(*s) / guduru(*s)) for s in ((3, 1, 20, 100), (3, 0.25, 5, 200)))], 1e-6),
