@@ -201,11 +201,12 @@ static void add_scene(const law_line *line, po_text *made) {
   }
 }
 
-/* By JKR theory, from which on a warning is due. */
+/* Excess of the pull-off force of the parabola over that of the sphere, by JKR theory, from which
+ * on a warning is due. */
 static const double EXCESS_OF_PARABOLA = 0.04;
 
-/* Warns if a contact is so wide that the parabola is no sphere. Other laws scale with the
- * parabola. */
+/* Warns if the contact is so wide that the parabola is no sphere. In reduced units a law belongs to
+ * parabolas of every radius, and there is no sphere to compare with. */
 static void warn_of_parabola(const po_request *request) {
   const po_scene *scene = &request->scene;
   if (!request->in_si || !po_profile_is_sphere(&scene->profile) || !(scene->tabor > 0.0))

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Wrong reference tables (tests/harness/test_base.c has damaged rows and headers): the message is one line with file and line. The exit code is 4 if the table is unreadable or
-# damaged, and 2 if the case needs a column or a row that the table does not have.
+# Wrong reference tables (damaged rows and headers: tests/harness/test_base.c): the message is one line with file and line. The
+# exit code is 4 if the table is unreadable or damaged, and 2 if the case needs a column or a row that the table does not have.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"

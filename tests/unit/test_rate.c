@@ -109,10 +109,13 @@ LOOP_TEST(with_one_modulus_the_body_is_elastic, 0, SCENE_COUNT) {
 
 /* With one modulus the profile at an approach or a load is that of the elastic body. Elastic
  * profiles at a tension are those of the approach of the bodies, so a load is compressive. */
-LOOP_TEST(the_profile_is_that_of_the_elastic_body, 0, 3) {
+LOOP_TEST(the_profile_is_that_of_the_elastic_body, 0, 4) {
   po_request request = rate_of(1.0, 0.5, 4.0, ELASTIC, NAN);
   request.want |= PO_WANT_PROFILE;
-  *(_i == 0 ? &request.profile_approach : &request.profile_load) = _i == 0 ? 3.0 : 0.5;
+  if (_i == 0 || _i == 3)
+    request.profile_approach = _i == 0 ? 3.0 : 4.0; /* 4: where unloading begins */
+  else
+    request.profile_load = 0.5;
   po_result a = solved(&request);
   request.creep = (po_creep){PO_CREEP_SLS, 1.0, 1.0};
   request.unload_speed = 1.0;

@@ -27,7 +27,7 @@ static const double AT_END = 1e-13;
 
 enum { MOST_RECORDS = 200000 };
 
-/* An edge passes at least a quarter of a step in its own width. */
+/* Least number of steps in which an edge moves by its own width. */
 static const double STEPS_A_WIDTH = 0.25;
 
 po_status po_march_check(double coupling, const po_creep_terms *terms, double radius) {
@@ -333,8 +333,9 @@ static po_status advance(po_march *m, double *length) {
 
 /* A jump changes the load, relative to 1 + its modulus, or the contact radius, relative to 1 + the
  * radius, by more than this; at a held load the approach, eps. Where all change less, the fold was
- * not passed yet, and the base is moved by more, at most by
- * LONGEST_MOVE, eps, or by a step of this phase that is within the tolerance of the approach. */
+ * not passed yet, and the base is moved by more: at most by
+ * LONGEST_MOVE, eps, or, if that is more, by the longest step of this phase, as long as it is
+ * within the tolerance of the approach. */
 static const double LEAST_JUMP = 0.01, MORE = 4.0, LONGEST_MOVE = 1e-3;
 
 static bool is_jump(const po_march *m, const po_rate_point *before, const po_rate_point *after) {

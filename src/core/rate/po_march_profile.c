@@ -5,7 +5,8 @@
 
 #include "po_march_internal.h"
 
-/* Distance from what is wanted, relative to 1 + its modulus, at which a state has it. */
+/* Distance from what is wanted, relative to 1 + its modulus, at which a state has it; and the
+ * shortest step, relative to the one that leads past it. */
 static const double SAME = 1e-10;
 
 enum { MOST_STEPS = 30 };
@@ -16,6 +17,10 @@ static double beyond(const po_march *m, const po_rate_point *p) {
           : w->by == PO_WANTED_APPROACH ? p->approach
                                         : p->moved) -
          w->value;
+}
+
+static bool has_wanted(const po_march *m, double distance) {
+  return fabs(distance) <= SAME * (1.0 + fabs(m->options.wanted.value));
 }
 
 /* Keeps the state that was solved last. */
@@ -32,11 +37,10 @@ static void keep(po_march *m) {
 /* Solves steps from `held`, by the Illinois method on their length, until one ends at what is
  * wanted. Returned: m->next. */
 static po_status approach_wanted(po_march *m, double length, double before, double after) {
-  const double within = SAME * (1.0 + fabs(m->options.wanted.value));
   double low = 0.0, high = length;
   int side = 0; /* of the last length that was tried */
   for (int k = 0; k < MOST_STEPS; ++k) {
-    const double h = low + (high - low) * before / (before - after);
+    const double h = fmax(low + (high - low) * before / (before - after), SAME * length);
     m->is_here = false;
     po_march_bring(m);
     const po_march_scene scene = po_march_scene_of(m, h);
@@ -44,7 +48,7 @@ static po_status approach_wanted(po_march *m, double length, double before, doub
     if (status)
       return status;
     const double now = beyond(m, &m->next.point);
-    if (fabs(now) <= within || high - low <= SAME * length)
+    if (has_wanted(m, now) || high - low <= SAME * length)
       break;
     const bool is_low = (now > 0.0) == (before > 0.0);
     *(is_low ? &low : &high) = h;
@@ -61,7 +65,7 @@ po_status po_march_look(po_march *m, bool jumped) {
   if (!m->options.wanted.solution || m->has_wanted || m->phase != PO_UNLOADING || jumped)
     return PO_OK;
   const double before = beyond(m, &m->held.point), after = beyond(m, &m->next.point);
-  if (before * after > 0.0)
+  if (before * after > 0.0 && !has_wanted(m, before))
     return PO_OK;
   const double length = m->next.length;
   po_march_exchange(&m->next, &m->after);
