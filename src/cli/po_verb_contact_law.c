@@ -215,8 +215,8 @@ static void warn_of_parabola(const po_request *request) {
   if (excess > EXCESS_OF_PARABOLA)
     fprintf(stderr,
             "pulloff: warning: the contact is so wide that by JKR theory the parabola r^2/(2R) "
-            "pulls %.0f %% more than a sphere; --profile exact_sphere is the sphere\n",
-            100.0 * excess);
+            "pulls %.0f %% more than a sphere; --profile exact_sphere:%.6g is the sphere\n",
+            100.0 * excess, scene->radius * request->units.length);
 }
 
 static po_status make_law(const law_line *line) {

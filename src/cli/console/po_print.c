@@ -116,7 +116,8 @@ static void print_parabola(const po_request *request, const po_result *o) {
   if (isfinite(excess))
     printf(": by JKR theory the force of the parabola is that of the sphere %+.0f %%",
            100.0 * excess);
-  printf("; --profile exact_sphere is the sphere\n");
+  printf("; --profile exact_sphere:%.6g is the sphere\n",
+         scene->radius * (request->in_si ? request->units.length : 1.0));
 }
 
 /* The derivatives of the pull-off force by the inputs, as changes in percent. A profile without a
