@@ -147,6 +147,11 @@ double po_march_creep(po_march *m, double length);
  * PO_STEP_TOO_SMALL if no equilibrium is found. */
 po_status po_march_jump(po_march *m, double length);
 
+/* -- po_march_peak.c -- */
+
+/* Looks for the greatest tension about the last accepted state, once the next one is known. */
+po_status po_march_watch_peak(po_march *m, bool jumped);
+
 /* -- po_march_profile.c -- */
 
 /* Keeps the state that is wanted if the step from `held` to `next` leads past it. */
