@@ -98,6 +98,75 @@ TEST(the_range_does_not_matter_where_it_is_small) {
   ck_assert_double_eq_tol(force[0], force[1], error[0] + error[1]);
 }
 
+/* A loop and its jumps at the true range and from greater ones. */
+static void expect_same_loops(const po_loop *exact, const po_loop *reduced) {
+  ck_assert_uint_eq(reduced->jump_count, exact->jump_count);
+  for (size_t k = 0; k < exact->jump_count; ++k) {
+    const po_jump *a = &exact->jumps[k], *b = &reduced->jumps[k];
+    ck_assert(a->loading == b->loading);
+    if (isnan(a->energy_lost))
+      ck_assert_double_nan(b->energy_lost);
+    else
+      ck_assert_double_eq_tol(b->energy_lost, a->energy_lost,
+                              b->energy_lost_error + a->energy_lost_error);
+  }
+  if (isnan(exact->energy_lost))
+    return;
+  ck_assert_double_le(reduced->energy_lost_error, 1e-3 * reduced->energy_lost);
+  ck_assert_double_eq_tol(reduced->energy_lost, exact->energy_lost,
+                          reduced->energy_lost_error + exact->energy_lost_error);
+  ck_assert_double_eq_tol(reduced->work, exact->work, reduced->work_error + exact->work_error);
+  ck_assert_double_eq_tol(reduced->pull_off.load, exact->pull_off.load,
+                          reduced->pull_off_error.load + exact->pull_off_error.load);
+}
+
+static void expect_ends_within(const po_loop *exact, const po_loop *reduced,
+                               const po_range_loops *stated) {
+  for (size_t k = 0; k < exact->jump_count; ++k) {
+    ck_assert_double_eq_tol(reduced->jumps[k].before.load, exact->jumps[k].before.load,
+                            stated->load);
+    ck_assert_double_eq_tol(reduced->jumps[k].after.approach, exact->jumps[k].after.approach,
+                            stated->approach);
+  }
+}
+
+/* With the true range the surfaces jump at another approach than with any that is solved. */
+TEST(loops_are_those_of_the_true_range) {
+  po_request request = request_of(300.0, 1e5, 50.0, 6000.0);
+  request.want = PO_WANT_HYSTERESIS;
+  request.range = PO_RANGE_EXACT;
+  po_result exact, reduced;
+  ck_assert_int_eq(po_solve(&request, &exact), PO_OK);
+  request.range = PO_RANGE_REDUCED;
+  ck_assert_int_eq(po_solve(&request, &reduced), PO_OK);
+  ck_assert(reduced.range.loops.are_known && reduced.range.loops.least > 1.0);
+  ck_assert(exact.hysteresis.has_load && reduced.hysteresis.has_load);
+  const po_loop *a = exact.hysteresis.of, *b = reduced.hysteresis.of;
+  ck_assert_uint_eq(a[PO_AT_APPROACH].loading_jumps, 2);
+  expect_same_loops(&a[PO_AT_APPROACH], &b[PO_AT_APPROACH]);
+  expect_same_loops(&a[PO_AT_LOAD], &b[PO_AT_LOAD]);
+  expect_ends_within(&a[PO_AT_APPROACH], &b[PO_AT_APPROACH], &reduced.range.loops);
+  po_result_clear(&exact);
+  po_result_clear(&reduced);
+}
+
+/* Through a soft spring: the loop begins farther out and has other jumps. */
+TEST(loops_through_a_spring_are_those_of_the_true_range) {
+  po_request request = request_of(200.0, 1e3, 0.0, 0.0);
+  request.want = PO_WANT_HYSTERESIS;
+  request.stiffness = 0.02;
+  request.range = PO_RANGE_EXACT;
+  po_result exact, reduced;
+  ck_assert_int_eq(po_solve(&request, &exact), PO_OK);
+  request.range = PO_RANGE_REDUCED;
+  ck_assert_int_eq(po_solve(&request, &reduced), PO_OK);
+  ck_assert(reduced.hysteresis.has_spring);
+  expect_same_loops(&exact.hysteresis.of[PO_THROUGH_SPRING],
+                    &reduced.hysteresis.of[PO_THROUGH_SPRING]);
+  po_result_clear(&exact);
+  po_result_clear(&reduced);
+}
+
 static void expect_refusal(const po_request *request) {
   po_result o;
   ck_assert_int_eq(po_solve(request, &o), PO_BAD_INPUT);
@@ -115,7 +184,7 @@ TEST(refused_where_it_does_not_apply) {
   request.want = PO_WANT_CURVE;
   expect_refusal(&request);
   request.want = 0;
-  request.stiffness = 1.0;
+  request.stiffness = 1.0; /* without loops, which alone depend on it */
   expect_refusal(&request);
   request.stiffness = NAN;
   ck_assert(po_law_set(&request.scene.law, "mie:4,10"));

@@ -98,6 +98,11 @@ static void print_range(const po_result *o) {
     printf("range    %.4g to %.4g times as great; the limit at the true one, %+.1e from the "
            "least, is stated with its error\n",
            o->range.least, o->range.greatest, o->range.change);
+  if (o->range.loops.are_known)
+    printf("loops    limits of those with ranges %.4g to %.4g times as great; errors of the ends of "
+           "jumps: approach at most %.1e, load %.1e\n",
+           o->range.loops.least, o->range.loops.greatest, o->range.loops.approach,
+           o->range.loops.load);
 }
 
 /* Part of R. At this contact radius the gap of the sphere exceeds that of the parabola by 2 %, and

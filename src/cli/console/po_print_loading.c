@@ -167,6 +167,11 @@ static void print_loop(const po_loop *loop, const po_request *request) {
 
 /* Why there is no loop at given load. */
 static void print_no_loop(const po_request *request, const po_result *o) {
+  if (o->range.loops.are_known) {
+    printf("load control: no loop, because those with greater ranges of the attraction do not have "
+           "the same jumps\n");
+    return;
+  }
   greatest g = {0};
   po_si_take(&g.length, o->ended.approach);
   po_si_take(&g.load, o->ended.load);

@@ -100,6 +100,13 @@ typedef struct {
                    not linear over these inputs, and the changes are not small beside others */
 } po_uncertain;
 
+/* Loops of a solve with greater ranges of the attraction, see po_reduced.h. */
+typedef struct {
+  bool are_known;
+  double least, greatest; /* the ranges of their limits, relative to that of the scene */
+  double approach, load;  /* greatest errors of the ends of their jumps: eps, pi w R */
+} po_range_loops;
+
 /* Why the trace of a branch ended; see po_stopping.h. */
 typedef enum {
   PO_END_NONE,       /* nothing was traced, or the status gives the reason */
@@ -154,6 +161,7 @@ typedef struct {
                         known */
     double least, greatest; /* the last six ranges, relative to that of the scene */
     double change; /* of the force from the least range to the true one, / (pi w R) */
+    po_range_loops loops; /* if they are wanted */
   } range;
   po_special_point *folds; /* along the branch */
   size_t fold_count;

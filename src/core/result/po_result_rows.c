@@ -249,10 +249,25 @@ static const po_row RESULT[] = {
   PART("work", work, WORK_ROWS, "counters of work, and the time"),
 };
 
+#undef S
+#define S po_range_loops
+static const po_row RANGE_LOOPS[] = {
+  NUMBER("least", least, NONE, "", "", "the least range, relative to that of the scene"),
+  NUMBER("greatest", greatest, NONE, "", "", "the greatest of the six ranges from which the limits follow"),
+  NUMBER("approach_error_estimate", approach, LENGTH, "", "", "greatest error of an approach at which a jump begins or ends"),
+  NUMBER("load_error_estimate", load, LOAD, "", "", "greatest error of a load there"),
+};
+static const po_block RANGE_LOOPS_ROWS = BLOCK("range_loops", RANGE_LOOPS, NULL);
+#undef S
+#define S po_result
+
 static const po_row RANGE[] = {
   NUMBER("least", range.least, NONE, "", "", "the least range, relative to that of the scene"),
   NUMBER("greatest", range.greatest, NONE, "", "", "the greatest of the six ranges from which the limit follows"),
   NUMBER("change", range.change, LOAD, "", "", "change of the pull-off force from the least range to the true one; its error is in `error_estimate`"),
+  {.key = "loops", .type = PO_ROW_PART, .block = &RANGE_LOOPS_ROWS, .omitted = true, .offset = offsetof(S, range.loops),
+   .present = AT(bool, range.loops.are_known),
+   TEXTS("", "absent without loops", "the ranges of the loops; numbers at their jumps of loading change with powers of the range as low as 4/7")},
 };
 static const po_block RANGE_ROWS = BLOCK("range", RANGE, NULL);
 

@@ -47,7 +47,8 @@ bool po_reduced_applies(const po_request *request) {
   return request->creep.kind == PO_CREEP_NONE && request->mesh.scheme == PO_PANEL &&
          !po_rigid_suffices(scene) && po_profile_is_sphere(&scene->profile) &&
          po_law_numbers_of(&scene->law)->exponent == 3.0 &&
-         !(request->want & ~(unsigned)PO_WANT_THEORIES) && isnan(request->stiffness) &&
+         !(request->want & ~(unsigned)(PO_WANT_THEORIES | PO_WANT_HYSTERESIS)) &&
+         (isnan(request->stiffness) || request->want & PO_WANT_HYSTERESIS) &&
          isnan(request->approach_start) && isnan(request->profile_approach) && !request->show &&
          po_reduced_width(scene) < PO_REDUCED_MOST_WIDTH;
 }
@@ -55,15 +56,21 @@ bool po_reduced_applies(const po_request *request) {
 bool po_reduced_is_chosen(const po_request *request) {
   const double chosen =
       po_scene_is_wavy(&request->scene) ? CHOSEN * sqrt(request->mesh.tolerance) : CHOSEN_SMOOTH;
+  const bool loops = request->want & PO_WANT_HYSTERESIS;
   return po_reduced_applies(request) &&
          (request->range == PO_RANGE_REDUCED ||
-          (request->range == PO_RANGE_AUTO && po_reduced_width(&request->scene) < chosen));
+          (request->range == PO_RANGE_AUTO &&
+           po_reduced_width(&request->scene) < (loops ? fmin(chosen, NARROWEST) : chosen)));
 }
 
 bool po_reduced_is_resort(const po_request *request, po_status status) {
   const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_OUT_OF_NODES ||
                      status == PO_NOT_CONVERGED || status == PO_TOO_MANY_POINTS;
   return stuck && po_reduced_applies(request);
+}
+
+double po_reduced_tolerance(const po_request *request) {
+  return fmax(OF_TOLERANCE * request->mesh.tolerance, PO_LEAST_TOLERANCE);
 }
 
 po_request po_reduced_request(const po_request *request, double s) {
@@ -79,8 +86,10 @@ po_request po_reduced_request(const po_request *request, double s) {
   }
   r.preload.approach /= s;
   r.approach_end /= s;
+  r.stiffness *= s;
   r.range = PO_RANGE_EXACT;
-  r.mesh.tolerance = fmax(OF_TOLERANCE * r.mesh.tolerance, PO_LEAST_TOLERANCE);
+  r.want &= ~(unsigned)PO_WANT_HYSTERESIS;
+  r.mesh.tolerance = po_reduced_tolerance(request);
   return r;
 }
 
@@ -192,7 +201,7 @@ static double force_of(const po_ranges *ranges, const po_range_track *t, double 
   *bound = INFINITY;
   if (first < t->first)
     return fabs(t->at[t->last].point.load);
-  const po_range_limit l = po_range_limit_of(&ranges->range[first]);
+  const po_range_limit l = po_range_limit_of(PO_BY_EDGES, &ranges->range[first]);
   double load[PO_RANGES_OF_LIMIT], error[PO_RANGES_OF_LIMIT];
   for (int k = 0; k < PO_RANGES_OF_LIMIT; ++k) {
     load[k] = t->at[first + k].point.load;
@@ -238,7 +247,7 @@ static bool is_kept_by(const po_request *request, const po_range_trace *t,
 
 /* -- The solve -- */
 
-static bool ends(po_status status) {
+bool po_reduced_ends(po_status status) {
   return status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME ||
          status == PO_BAD_INPUT;
 }
@@ -272,6 +281,7 @@ typedef struct {
   po_work work;
   const po_kept_point *minimum; /* that is the pull-off */
   double greatest;              /* force of all minima with their errors */
+  bool is_reversed_before;      /* a jump of loading that the trace makes */
   int next; /* index of the range of the next trace; -1: the solve is complete */
 } search;
 
@@ -284,7 +294,7 @@ static const po_range_track *follow_beside(const search *s, const po_range_follo
     return NULL;
   const int first = s->pull_off.last - PO_RANGES_OF_LIMIT + 1;
   const po_status followed = follow_point(f, p, first, s->pull_off.last, INFINITY, track);
-  if (ends(followed))
+  if (po_reduced_ends(followed))
     *status = followed;
   return followed ? NULL : track;
 }
@@ -342,7 +352,7 @@ static po_status find_whether_exceeds(search *s, const po_range_follower *f, con
   if (!(fabs(p->load) > PO_NEARLY * force))
     return PO_OK;
   const po_status status = follow_point(f, p, s->before.at, s->now.at, INFINITY, &s->rival);
-  if (ends(status))
+  if (po_reduced_ends(status))
     return status;
   const double now = fabs(s->rival.at[s->now.at].point.load);
   *exceeds =
@@ -359,7 +369,7 @@ static po_status follow_rival(search *s, const po_range_follower *f, const po_ke
   double bound, other;
   const double force = force_of(&s->ranges, &s->rival, &bound);
   if (status || isinf(bound))
-    return ends(status) ? status : PO_NOT_CONVERGED;
+    return po_reduced_ends(status) ? status : PO_NOT_CONVERGED;
   s->greatest = fmax(s->greatest, force + bound);
   if (force > force_of(&s->ranges, &s->pull_off, &other)) {
     s->pull_off = s->rival;
@@ -413,7 +423,7 @@ static po_status follow_minimum(search *s, const po_range_follower *f, const po_
   const int last = s->before.at + PO_RANGES_OF_LIMIT - 1;
   bool is_traced = !jump;
   po_status status = follow_point(f, s->minimum, s->before.at, last, ENOUGH, &s->pull_off);
-  if (ends(status) || isinf(excess_of(&s->ranges, &s->pull_off)))
+  if (po_reduced_ends(status) || isinf(excess_of(&s->ranges, &s->pull_off)))
     return status ? status : PO_NOT_CONVERGED;
   if (!is_traced && !is_kept_by(s->ranges.request, &s->before, &s->pull_off))
     return PO_NOT_CONVERGED;
@@ -444,6 +454,7 @@ static po_status follow_all(search *s, const po_range_follower *f, po_result *re
     return status;
   if (before)
     s->minimum = deepest_before(&s->now, before);
+  s->is_reversed_before = before;
   if (known && s->minimum)
     return follow_minimum(s, f, before, result);
   s->next = -1;
@@ -458,7 +469,7 @@ static po_status follow_trace(search *s, po_result *result) {
   if (!status)
     status = follow_all(s, &f, result);
   po_range_course_destroy(f.course, &s->work);
-  return s->next < 0 || ends(status) ? status : PO_OK;
+  return s->next < 0 || po_reduced_ends(status) ? status : PO_OK;
 }
 
 /* Makes the trace with the next range, and follows its points. */
@@ -507,7 +518,8 @@ po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, 
   s->before = s->now = no_trace();
   po_status status = PO_OK;
   int failures = 0;
-  while (s->next >= 0 && s->next < s->ranges.count && failures < FAILURES && !ends(status))
+  while (s->next >= 0 && s->next < s->ranges.count && failures < FAILURES &&
+         !po_reduced_ends(status))
     status = go_on(s, solve, &failures, result);
   if (!status && s->next >= 0)
     status = po_fail(PO_NOT_CONVERGED,
@@ -515,6 +527,9 @@ po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, 
                      "leads to the pull-off: expected the range exact",
                      s->ranges.range[s->ranges.count - 1], s->ranges.range[0]);
   result->work = s->work;
+  if (!status && request->want & PO_WANT_HYSTERESIS)
+    status = s->is_reversed_before ? undecided(&s->ranges, result)
+                                   : po_reduced_loops(&s->ranges, solve, result);
   clear_trace(&s->before);
   clear_trace(&s->now);
   free(s);

@@ -20,6 +20,12 @@ typedef struct {
  * the Tabor parameter; loads in pi w R are the same. */
 po_request po_reduced_request(const po_request *request, double range);
 
+/* The tolerance of these requests. */
+double po_reduced_tolerance(const po_request *request);
+
+/* Whether a status ends the solve: another range does not help. */
+bool po_reduced_ends(po_status status);
+
 /* -- Special points that are followed (po_reduced_follow.c) -- */
 
 /* A trace with one of the ranges, of PO_KEEP_TEST. */
@@ -82,8 +88,12 @@ typedef struct {
   double weight[PO_RANGES_OF_LIMIT], before[PO_RANGES_OF_LIMIT], fewer[PO_RANGES_OF_LIMIT];
 } po_range_limit;
 
+/* On what a number depends: on contact edges, and changes as F(s) in po_reduced.h; on a crest that
+ * jumps into contact, and changes with powers of s^(4/7). */
+typedef enum { PO_BY_EDGES, PO_BY_CRESTS } po_range_terms;
+
 /* Given: the ranges, decreasing. */
-po_range_limit po_range_limit_of(const double range[PO_RANGES_OF_LIMIT]);
+po_range_limit po_range_limit_of(po_range_terms terms, const double range[PO_RANGES_OF_LIMIT]);
 
 /* Returned: the limit of values, and a bound of its error. Given: values and their errors. */
 double po_range_limit_at(const po_range_limit *limit, const double value[PO_RANGES_OF_LIMIT],
@@ -108,5 +118,13 @@ po_status po_range_limit_take(const po_ranges *ranges, const po_range_points *po
  * last. */
 int po_range_side_of(const po_ranges *ranges, int first, int last, const double value[],
                      double bound);
+
+/* -- Loops at the true range (po_reduced_loops.c) -- */
+
+/* Solves for the loops with ranges each half of the one before until the error of the energy lost
+ * at given approach is within the tolerance, or no smaller range is solved, and adds the loops to a
+ * result, and the work. Given: the ranges; a result with the pull-off. Status: PO_NOT_CONVERGED if
+ * the last six do not have the same jumps. */
+po_status po_reduced_loops(const po_ranges *ranges, po_reduced_solver *solve, po_result *result);
 
 #endif

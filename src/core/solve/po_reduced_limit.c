@@ -15,15 +15,30 @@ static const double MOST_OF_POINT = 10.0, CLOSE = 1e-3;
 
 /* -- Extrapolation -- */
 
+/* A crest of radius R jumps into contact from the gap D at which the attraction w eps^2/D^3 on the
+ * area R D deflects the surface by about D: D^(7/2) = w eps^2 sqrt(R)/E*, so that D, and with it
+ * approach and load, change with the power 4/7 of the range. (Smooth spheres of Tabor parameters
+ * 100 to 10,000 have the power 0.56, a second crest on gelatin 0.54.) */
+static const double POWER = 4.0 / 7.0;
+
+/* The terms of an expansion at a range in units of the last one. */
+static void terms_at(po_range_terms terms, double x, double term[TERMS]) {
+  const double l = po_log(x);
+  const double of_edges[TERMS] = {1.0, x * x, x * x * l, x * x * x, x * x * x * l};
+  for (int t = 0; t < TERMS; ++t)
+    term[t] = terms == PO_BY_EDGES ? of_edges[t] : po_pow(x, t * POWER);
+}
+
 /* The weights of values at the ranges, of which the sum is F(1). Given: the number of terms, and
  * the first of as many values. The unknowns are eliminated without pivots, of which none is small:
  * ranges differ by sqrt(2) or more. */
-static void weights_of(const double range[SOLVES], int first, int terms, double weight[SOLVES]) {
+static void weights_of(po_range_terms kind, const double range[SOLVES], int first, int terms,
+                       double weight[SOLVES]) {
   double a[TERMS][TERMS + 1];
   const double unit = range[first + terms - 1];
   for (int k = 0; k <= terms; ++k) {
-    const double x = (k < terms ? range[first + k] : 1.0) / unit, l = po_log(x);
-    const double term[TERMS] = {1.0, x * x, x * x * l, x * x * x, x * x * x * l};
+    double term[TERMS];
+    terms_at(kind, (k < terms ? range[first + k] : 1.0) / unit, term);
     for (int t = 0; t < terms; ++t)
       a[t][k] = term[t];
   }
@@ -41,11 +56,11 @@ static void weights_of(const double range[SOLVES], int first, int terms, double 
     weight[first + k] = a[k][terms] / a[k][k];
 }
 
-po_range_limit po_range_limit_of(const double range[SOLVES]) {
+po_range_limit po_range_limit_of(po_range_terms kind, const double range[SOLVES]) {
   po_range_limit l;
-  weights_of(range, SOLVES - TERMS, TERMS, l.weight);
-  weights_of(range, SOLVES - TERMS - 1, TERMS, l.before);
-  weights_of(range, SOLVES - TERMS + 1, TERMS - 1, l.fewer);
+  weights_of(kind, range, SOLVES - TERMS, TERMS, l.weight);
+  weights_of(kind, range, SOLVES - TERMS - 1, TERMS, l.before);
+  weights_of(kind, range, SOLVES - TERMS + 1, TERMS - 1, l.fewer);
   return l;
 }
 
@@ -66,12 +81,6 @@ double po_range_limit_at(const po_range_limit *l, const double value[SOLVES],
 }
 
 /* -- Where loading jumps -- */
-
-/* A crest of radius R jumps into contact from the gap D at which the attraction w eps^2/D^3 on the
- * area R D deflects the surface by about D: D^(7/2) = w eps^2 sqrt(R)/E*, so that D, and with it
- * approach and load, change with the power 4/7 of the range. (Smooth spheres of Tabor parameters
- * 100 to 10,000 have the power 0.56, a second crest on gelatin 0.54.) */
-static const double POWER = 4.0 / 7.0;
 
 /* The value may change by up to this multiple of what the power leaves; and the number of halvings
  * of the width of the edges from whose change that is found. */
@@ -215,7 +224,7 @@ po_status po_range_limit_take(const po_ranges *ranges, const po_range_points *po
   const po_request *request = ranges->request;
   taker t = {.ranges = ranges, .first = last - SOLVES + 1};
   t.range = &ranges->range[t.first];
-  t.limit = po_range_limit_of(t.range);
+  t.limit = po_range_limit_of(PO_BY_EDGES, t.range);
   o->range.is_reduced = true;
   o->range.greatest = t.range[0];
   o->range.least = t.range[SOLVES - 1];

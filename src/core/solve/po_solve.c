@@ -210,12 +210,15 @@ static po_status range_check(const po_request *request) {
   if (request->range != PO_RANGE_REDUCED || po_request_check(request) ||
       po_reduced_applies(request))
     return PO_OK;
-  return po_fail(PO_BAD_INPUT,
-                 "range is reduced: expected auto or exact. It applies to the pull-off of elastic "
-                 "spheres on panels under an attraction with the exponent 3, without a spring, an "
-                 "approach_start or a want other than theories, and if contact edges are narrower "
-                 "than %.2g of the shortest wave and of the contact; here they have %.2g",
-                 PO_REDUCED_MOST_WIDTH, po_reduced_width(&request->scene));
+  return po_fail(
+      PO_BAD_INPUT,
+      "range is reduced: expected auto or exact. It applies to the pull-off and the loops "
+      "of elastic spheres on panels under an attraction with the exponent 3, without an "
+      "approach_start or a want other than hysteresis and theories, with a spring only for "
+      "hysteresis, and if "
+      "contact edges are narrower than %.2g of the shortest wave and of the contact; "
+      "here they have %.2g",
+      PO_REDUCED_MOST_WIDTH, po_reduced_width(&request->scene));
 }
 
 /* Solves with greater ranges. Given: the result of a trace that failed, or an empty one, which is

@@ -88,7 +88,7 @@
     HELP("stiffness of a spring through which the body is moved, in pi w R/epsilon: --want hysteresis and preload " \
          "then have the loop and the staircase through the spring, too (default: none)")) \
   X(RANGE, "range", WORDS("auto, exact or reduced"), NUMBER, TRACE, NO_PLACE, CONSTANT, SERIES, "NAME", \
-    HELP("range of the attraction with which a pull-off is found: exact, the true one; reduced, several greater " \
+    HELP("range of the attraction with which pull-off and loops are found: exact, the true one; reduced, several greater " \
          "ones and their limit; auto, the latter where contact edges are very narrow or the solve fails or is long (default auto)")) \
   X(VISCOELASTIC, "viscoelastic", WORDS(PO_CREEP_EXPECTED), NUMBER, TRACE, NO_PLACE, CONSTANT, SERIES, "MATERIAL", \
     HELP("viscoelastic half-space, loaded slowly, or at --load-speed, to the preload and unloaded at --unload-speed: sls:K, the standard " \
