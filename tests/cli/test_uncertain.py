@@ -33,8 +33,8 @@ def uncertain(words):
     (2, "--tabor is +-1: expected a number, or*", "solve --tabor +-1"),
     (2, "--nodes is 100+-1: expected a value without uncertainty", "solve --scheme ring --nodes 100+-1"),
     (2, "--tabor is 1+-2, and moved by twice its uncertainty it is refused: --tabor is -3: expected a finite number >= 0", "solve --tabor 1+-2"),
-    (2, "--tabor is 1±0.1: expected a finite number >= 0; an uncertain number is written 0.05+-0.01, and only solve takes it", "solve --tabor 1±0.1"),
-    (2, "--tabor is 1+-0.1: expected *, and only solve takes it", "plot --tabor 1+-0.1"),
+    (2, "--tabor is 1±0.1: expected a finite number >= 0; an uncertain number is written 0.05+-0.01, and only solve and cases take it", "solve --tabor 1±0.1"),
+    (2, "--tabor is 1+-0.1: expected *, and only solve and cases take it", "plot --tabor 1+-0.1"),
     (2, "--smooth is 0: expected a finite number > 0, or auto", "solve --smooth 0"),
     (2, "--smooth is no: expected a finite number > 0, or auto", "solve --smooth no"),
     (2, "--smooth is auto: expected it beside the file of a profile", "solve --smooth auto"),
@@ -200,3 +200,109 @@ def test_noise_of_many_waves(tmp_path):
     (tmp_path / "waves.csv").write_text("r,gap\n" + "\n".join(rows) + "\n")
     out = expect(0, "", f"solve --coupling 0.01 --profile-file {tmp_path / 'waves.csv'} --smooth auto --tolerance 1e-4").out
     assert float(out.split("smoothed noise ")[1].split()[0]) == pytest.approx(0.01, rel=0.15)
+
+
+TIPS = """
+name: tips
+title: Tips of uncertain size and adhesion
+suites: [smoke]
+scene:
+  physical: {{modulus_pa: 2e9, work_j_per_m2: {work}, distance_m: 3e-10}}
+  scheme: panel
+sweep:
+  - {{{sweep}}}
+want: [pull_off]
+{more}
+"""
+RADII = "key: radius_m, values: [1e-8+-1e-9, 3e-8]"
+
+
+def tips(data, work="0.05+-0.002", sweep=RADII, more=""):
+    data.case("tips", TIPS.format(work=work, sweep=sweep, more=more))
+
+
+def test_case(data):
+    """Each point of a case has the standard uncertainty of the same command line, in the record and in the summary. A result
+    that is kept is not that of another uncertainty."""
+    for work, message in (("0.05+-0.002", "tips: 2 points, 0 checks: within"), ("0.05+-0.002", "tips: *(kept)"), ("0.05+-0.004", "tips: *within")):
+        tips(data, work)
+        expect(0, message, "run tips --output run --summary summary.csv")
+        points, rows = load("run/tips/record.json")["points"], rows_of("summary.csv")
+        for point, row, radius in zip(points, rows, ("1e-8+-1e-9", "3e-8"), strict=True):
+            words = f"solve --from-physical --modulus-pa 2e9 --work-j-per-m2 {work} --distance-m 3e-10 --radius-m {radius}"
+            found, expected = point["physical"]["uncertainty"], document(words)["physical"]["uncertainty"]
+            assert [s["source"].replace("_", "-") for s in found["sources"]] == [s["source"] for s in expected["sources"]]
+            assert all(s["force_n"] > 0 for s in expected["sources"])
+            for mine, other in zip([found, *found["sources"]], [expected, *expected["sources"]]):
+                assert mine["force_n"] == pytest.approx(other["force_n"], rel=1e-6)
+            assert float(row["force_uncertainty_nN"]) == pytest.approx(1e9 * expected["force_n"], rel=1e-6)
+            assert point["sweep"] == {"radius_m": float(radius.partition("+")[0])} and "+-" not in point["label"]
+            assert point["command"].startswith("pulloff verify tips --points ")
+    tips(data, "0.05", RADII.replace("+-1e-9", ""))
+    expect(0, "*", "run tips --output run --summary summary.csv")
+    assert "force_uncertainty_nN" not in rows_of("summary.csv")[0] and "uncertainty" not in load("run/tips/record.json")["points"][0]
+
+
+def test_case_of_dimensionless_numbers(data):
+    """Of a group, a preload and settings of a table, whose semicolons are commas."""
+    data.case("tips", """
+name: tips
+title: Waves of uncertain height
+suites: [smoke]
+scene: {tabor: 1+-0.05, radius: 100, outer_radius: inf, wavelength: 20, scheme: panel, preload: 1+-0.1}
+sweep:
+  - {key: amplitude_ratio, values: [0.01+-0.002, 0.02]}
+want: [pull_off]
+""")
+    expect(0, "tips: 2 points*", "run tips --output run")
+    for point, ratio in zip(load("run/tips/record.json")["points"], ("0.01+-0.002", "0.02"), strict=True):
+        amplitude = "0.2+-0.04" if "+-" in ratio else "0.4"
+        _, total, sources = uncertain(f"solve --tabor 1+-0.05 --amplitude {amplitude} --wavelength 20 --preload 1+-0.1")
+        found = {s["source"]: s["force"] for s in point["uncertainty"]["sources"]}
+        assert found.pop("amplitude_ratio", None) == pytest.approx(next((s["force"] for s in sources if s["source"] == "amplitude"), None))
+        assert found == pytest.approx({s["source"]: s["force"] for s in sources if s["source"] != "amplitude"})
+        assert point["uncertainty"]["force"] == pytest.approx(total["force"])
+    pathlib.Path("own").mkdir()
+    pathlib.Path("own/bodies.csv").write_text("young_pa,radius_m\n160e9;2e9+-2e8,1e-8+-1e-9\n")
+    pathlib.Path("own/bodies.yaml").write_text(TIPS.format(work="0.05", sweep="table: bodies.csv", more="").replace("tips", "bodies")
+                                               .replace("modulus_pa: 2e9", 'poisson: "0.2,0.4"'))
+    expect(0, "bodies: 1 point*", "run own/bodies.yaml --output run")
+    [point] = load("run/bodies/record.json")["points"]
+    words = "--young-pa 160e9,2e9+-2e8 --poisson 0.2,0.4 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-8+-1e-9"
+    _, total, sources = uncertain("solve --from-physical " + words)
+    assert [s["source"].replace("_", "-") for s in point["uncertainty"]["sources"]] == [s["source"] for s in sources]
+    assert len(sources) == 2
+    assert point["uncertainty"]["force"] == pytest.approx(total["force"], rel=1e-6)
+
+
+def test_check_of_the_uncertainty(data):
+    total = uncertain("solve --tabor 1+-0.05")[1]["force"]
+    data.table("reference/u.csv", "tabor,standard_uncertainty", f"1,{total!r}")
+    data.case("one", """
+name: one
+title: One sphere
+suites: [smoke]
+scene: {tabor: TABOR, radius: 100, outer_radius: inf, scheme: panel}
+want: [pull_off]
+checks:
+  - {quantity: pull_off_uncertainty, reference: reference/u.csv, tolerance: 1e-8, kind: abs, because: the same solves}
+""".replace("TABOR", "1+-0.05"))
+    expect(0, "one: 1 point, 1 check: within", "run one --output run")
+    path = data.folder / "cases/one.yaml"
+    for uncertainty, verdict in (("+-0.06", "outside"), ("", "no_result")):
+        path.write_text(path.read_text().replace("1+-0.05", "1" + uncertainty).replace("1+-0.06", "1" + uncertainty))
+        assert verdict in expect(1, "*", "verify --verbose one --output run").out
+
+
+@pytest.mark.parametrize("message, changed", [
+    ("scene.physical.work_j_per_m2 is 1+-x: expected a number, or with +- a number and its uncertainty > 0", {"work": "1+-x"}),
+    ("scene (radius_m=1e-8): work_j_per_m2 is 0.05+-0.03, and moved by twice its uncertainty it is refused: *", {"work": "0.05+-0.03"}),
+    ("sweep[1].values[2]: radius_m is 3e-8+-0: expected a number, or*", {"sweep": RADII.replace("3e-8", "3e-8+-0")}),
+    ("sweep[1].together[1].nodes is 9+-1: expected a value without uncertainty", {"sweep": "together: [{radius_m: 1e-8, nodes: 9+-1}]"}),
+    ("follow is radius_m: expected it to be left out, as scenes with uncertain numbers (+-) are traced", {"more": "follow: radius_m"}),
+    ("*.values[1] is 1+-0.1: expected a finite number >= 0", {"more": "checks: [{quantity: pull_off_force, reference: bradley, tolerance: 1, "
+     "kind: abs, because: x, when: [{key: tabor, values: [1+-0.1]}]}]"}),
+])
+def test_refused_in_a_case(data, message, changed):
+    tips(data, **changed)
+    expect(2, "pulloff: *tips.yaml:*: " + message.replace("[", "[[]"), "run tips --output run")

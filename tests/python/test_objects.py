@@ -469,7 +469,7 @@ class Uncertain(unittest.TestCase):
         scene = pulloff.Scene(tabor="1+-0.1")
         self.assertEqual(scene["tabor"], "1+-0.1")
         for use in (lambda: pulloff.follow("radius", [100, 110], scene), lambda: pulloff.theory("jkr", tabor="1+-0.1")):
-            with self.assertRaisesRegex(pulloff.Error, "only solve takes it"):
+            with self.assertRaisesRegex(pulloff.Error, "only solve and cases take it"):
                 use()
         with self.assertRaisesRegex(pulloff.Error, "tabor is '1\\+-0.1': expected a number without uncertainty"):
             scene.compare()

@@ -12,6 +12,7 @@
 #include "po_request.h"
 #include "po_status.h"
 #include "po_text.h"
+#include "po_uncertain.h"
 
 /* The wanted results: PO_WANT_..., and these three, which every traced branch delivers. */
 enum {
@@ -64,7 +65,16 @@ typedef struct {
   po_request request; /* of a scene in SI units with its units */
   size_t setting;     /* number of its combination of sample and sweep, before leave_out */
   bool traced; /* the scene belongs to a series and is traced in addition, see po_traced_words */
+  po_uncertain_inputs *uncertain; /* its uncertain numbers, of which the request has the variations;
+                                     NULL: none */
 } po_point;
+
+/* An uncertain number of the file, whose text is in the scene or in an item of the sweep. */
+typedef struct {
+  po_uncertain_number number;
+  int item; /* -1: the scene */
+  unsigned setting;
+} po_case_number;
 
 /* The scene as written. Keys that are not given are NULL; the parser fills in those that follow
  * from a block `physical`, which is the scene in SI units. */
@@ -148,6 +158,8 @@ typedef struct {
   size_t checkpoints;   /* every so many scenes of a series one is a checkpoint */
   po_point *points;
   size_t point_count;
+  po_case_number *uncertain;
+  size_t uncertain_count, uncertain_room;
   double time_limit; /* of the command line, which replaces those of the points; else 0 or NAN */
 } po_case;
 

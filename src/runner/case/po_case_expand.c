@@ -164,13 +164,15 @@ static po_status check_in_si(const po_case_file *file, const po_sweep *sweep, co
   return PO_OK;
 }
 
-static po_status check_sweep(const po_case *kase, const po_yaml *yaml) {
+static po_status check_sweep(po_case *kase, const po_yaml *yaml) {
   po_case_file *file = kase->file;
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     po_sweep *sweep = &file->sweep[i];
     char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "sweep[%u]", i + 1);
     po_status status = sweep->table ? po_case_table_read(kase, sweep, where, yaml) : PO_OK;
+    if (!status)
+      status = po_case_uncertain_sweep(kase, i, where, yaml);
     if (!status)
       status = check_item(sweep, where, yaml);
     if (status)
@@ -358,49 +360,57 @@ static bool case_sample_draw(const po_case_file *file, size_t index, po_request 
   return possible;
 }
 
-/* Fills point number `index` of the product of sample and sweep. The scene of the sample varies
- * slowest, the last key of the sweep fastest. */
-static po_status fill_point(const po_case *kase, size_t index, const po_yaml *yaml) {
-  po_point *point = &kase->points[index];
+po_status po_case_make_request(const po_case *kase, const po_yaml *yaml, bool changed,
+                               po_point *point, po_text *label) {
   const po_case_file *file = kase->file;
   point->request = po_input_default();
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (file->scene.values[key])
       po_key_set(&point->request, key, file->scene.values[key]);
-  point->setting = index;
   point->request.units = kase->units;
-  if (kase->varies_units) {
+  if (kase->varies_units || (changed && kase->is_physical)) {
     const po_status status = po_case_scene_set_physical(kase, yaml, point);
     if (status)
       return status;
   }
   const size_t block = kase->point_count / (file->sample ? file->sample->count : 1);
-  const size_t scene = index / block;
+  const size_t scene = point->setting / block;
   const char *group[GROUPS];
   for (int i = 0; i < GROUPS; ++i)
     group[i] = file->scene.values[PO_KEY_COUNT + i];
-  po_text label = {0};
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     const po_sweep *sweep = &file->sweep[i];
-    const unsigned setting = setting_of(file, index, i);
+    const unsigned setting = setting_of(file, point->setting, i);
     for (int key = PO_KEY_COUNT; key < PO_KEY_END; ++key)
       if (value_of_sweep(sweep, setting, key))
         group[key - PO_KEY_COUNT] = value_of_sweep(sweep, setting, key);
-    add_setting(kase, point, sweep, setting, &label);
+    add_setting(kase, point, sweep, setting, label);
   }
-  bool possible = case_sample_draw(file, scene, &point->request, &label);
+  bool possible = case_sample_draw(file, scene, &point->request, label);
   for (int i = 0; i < GROUPS; ++i) /* after the keys that the groups depend on */
     possible = (!group[i] || po_key_set(&point->request, PO_KEY_COUNT + i, group[i])) && possible;
-  if (!label.length)
-    po_text_add(&label, "scene");
-  point->label = label.data;
-  if (label.failed)
+  if (!label->length)
+    po_text_add(label, "scene");
+  if (label->failed)
     return PO_NO_MEMORY;
-  if (!possible)
-    return po_fail(PO_BAD_INPUT, "%s:%zu: sample draws %s: expected permitted values of these keys",
-                   yaml->name, po_yaml_line(yaml, "sample.keys"), point->label);
-  if (po_request_check(&point->request) == PO_OK)
-    return PO_OK;
+  return possible ? PO_OK
+                  : po_fail(PO_BAD_INPUT,
+                            "%s:%zu: sample draws %s: expected permitted values of these keys",
+                            yaml->name, po_yaml_line(yaml, "sample.keys"), po_text_string(label));
+}
+
+/* Fills point number `index` of the product of sample and sweep. The scene of the sample varies
+ * slowest, the last key of the sweep fastest. */
+static po_status fill_point(po_case *kase, size_t index, const po_yaml *yaml) {
+  po_point *point = &kase->points[index];
+  po_text label = {0};
+  point->setting = index;
+  po_status status = po_case_make_request(kase, yaml, false, point, &label);
+  point->label = label.data;
+  if (!status)
+    status = po_case_uncertain_point(kase, point, yaml);
+  if (status || (status = po_request_check(&point->request)) == PO_OK)
+    return status;
   return po_fail(PO_BAD_INPUT, "%s:%zu: scene (%s): %s", yaml->name, po_yaml_line(yaml, "scene"),
                  point->label, po_message());
 }
@@ -424,6 +434,7 @@ static po_status keep_points(po_case *kase, const po_yaml *yaml) {
     po_point *point = &kase->points[i];
     if (is_left_out(kase->file, &point->request)) {
       free(point->label);
+      po_case_uncertain_clear(point);
       continue;
     }
     snprintf(point->id, sizeof point->id, "%zu", kept);

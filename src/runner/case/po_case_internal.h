@@ -59,6 +59,31 @@ po_status po_case_path(const po_case *kase, char **word);
 po_status po_case_table_read(const po_case *kase, po_sweep *sweep, const char *where,
                              const po_yaml *yaml);
 
+/* Cuts the uncertainties off the numbers of the scene, "0.05+-0.002", and adds them to those of the
+ * case. Status: PO_BAD_INPUT; PO_NO_MEMORY. */
+po_status po_case_uncertain_scene(po_case *kase, const po_yaml *yaml);
+
+/* The same for an item of the sweep. Given: its index; its path. */
+po_status po_case_uncertain_sweep(po_case *kase, unsigned item, const char *where,
+                                  const po_yaml *yaml);
+
+/* Completes the request of a point with its uncertain numbers less and more. Status: as above, also
+ * of a number that is refused when it is moved. */
+po_status po_case_uncertain_point(po_case *kase, po_point *point, const po_yaml *yaml);
+
+/* Frees the uncertain numbers of a point. */
+void po_case_uncertain_clear(po_point *point);
+
+/* Makes the request of a point, whose setting is given. Given: whether the scene was changed after
+ * it was parsed, so that what follows from the block `physical` is computed again; a label that is
+ * completed. Status: as above. */
+po_status po_case_make_request(const po_case *kase, const po_yaml *yaml, bool changed,
+                               po_point *point, po_text *label);
+
+/* Fails with the present message, preceded by the line and the path of a value in the case, unless
+ * the message names it. Returned: the status. */
+po_status po_case_refuse_for(const po_yaml *yaml, const char *where, po_status status);
+
 /* Whether a key is one in SI units, which a sweep beside the block `physical` may vary. */
 bool po_case_is_in_si(po_key key);
 

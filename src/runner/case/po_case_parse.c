@@ -239,6 +239,9 @@ static po_status parse_follow(po_case *kase, const po_yaml *yaml) {
   if (!last || !last->key || strcmp(last->key, file->follow) != 0 ||
       !po_key_is_continuous(po_texts_key(file->follow)))
     return po_fields_refuse(yaml, NULL, "follow");
+  if (kase->uncertain_count)
+    return po_fields_refuse(
+        yaml, "it to be left out, as scenes with uncertain numbers (+-) are traced", "follow");
   kase->series_length = last->values_count;
   if (file->leave_out_count)
     return po_fields_refuse(yaml, "no rules, as a series in follow is solved as a whole",
@@ -289,10 +292,19 @@ static po_status parse_series(po_case *kase, const po_yaml *yaml) {
 /* Checks every value of kase->file and fills want, repeats, checks and points. Status:
  * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
 static po_status parse_file(po_case *kase, const po_yaml *yaml) {
-  static po_status (*const STEPS[])(po_case *, const po_yaml *) = {
-      parse_names,         parse_repeats,  po_case_files_resolve, po_case_sweep_parse,
-      po_case_scene_parse, parse_checks,   po_case_lines_parse,   parse_series,
-      check_stand_ins,     po_case_expand, po_case_scene_check,   check_concerned};
+  static po_status (*const STEPS[])(po_case *, const po_yaml *) = {po_case_uncertain_scene,
+                                                                   parse_names,
+                                                                   parse_repeats,
+                                                                   po_case_files_resolve,
+                                                                   po_case_sweep_parse,
+                                                                   po_case_scene_parse,
+                                                                   parse_checks,
+                                                                   po_case_lines_parse,
+                                                                   parse_series,
+                                                                   check_stand_ins,
+                                                                   po_case_expand,
+                                                                   po_case_scene_check,
+                                                                   check_concerned};
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < sizeof STEPS / sizeof *STEPS; ++i)
     status = STEPS[i](kase, yaml);
@@ -334,9 +346,12 @@ static po_status clear_axis(const po_case *kase, po_axis *axis, const char *wher
 void po_case_destroy(po_case *kase) {
   if (!kase)
     return;
-  for (size_t i = 0; kase->points && i < kase->point_count; ++i)
+  for (size_t i = 0; kase->points && i < kase->point_count; ++i) {
     free(kase->points[i].label);
+    po_case_uncertain_clear(&kase->points[i]);
+  }
   free(kase->points);
+  free(kase->uncertain);
   if (kase->file) {
     po_case_each_axis(kase, NULL, clear_axis);
     po_fields_clear(PO_CASE_FIELDS, kase->file);

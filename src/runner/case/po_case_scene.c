@@ -83,9 +83,7 @@ po_status po_case_material_path(const po_case *kase, char **word) {
   return PO_OK;
 }
 
-/* Fails with the present message, preceded by the line and the path of a value in the case, unless
- * the message names it. Returned: the status. */
-static po_status case_refuse_for(const po_yaml *yaml, const char *where, po_status status) {
+po_status po_case_refuse_for(const po_yaml *yaml, const char *where, po_status status) {
   if (status == PO_NO_MEMORY)
     return status;
   const bool named = strncmp(po_message(), where, strlen(where)) == 0;
@@ -121,7 +119,7 @@ resolve(const po_case *kase, const po_yaml *yaml, po_key key, char **word, const
   vsnprintf(where, sizeof where, format, arguments);
   va_end(arguments);
   const po_status status = read_file(kase, key, word);
-  return status ? case_refuse_for(yaml, where, status) : PO_OK;
+  return status ? po_case_refuse_for(yaml, where, status) : PO_OK;
 }
 
 static po_status resolve_axis(const po_case *kase, po_axis *axis, const char *where,
@@ -212,7 +210,7 @@ static po_status read_physical(po_texts *texts, const po_yaml *yaml, po_request 
   const po_texts given = *texts;
   char where[PO_CASE_WHERE_LENGTH];
   snprintf(where, sizeof where, "%s%s", given.prefix, PO_KEYS[given.wrong].name);
-  return case_refuse_for(yaml, given.text[given.wrong] ? where : "scene.physical", status);
+  return po_case_refuse_for(yaml, given.text[given.wrong] ? where : "scene.physical", status);
 }
 
 /* Whether the texts of the block give a key. */

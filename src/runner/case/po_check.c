@@ -11,6 +11,7 @@ const po_quantity_row PO_QUANTITIES[PO_QUANTITY_COUNT] = {
   [PO_PULL_OFF_FORCE] = {"pull_off_force", "pull_off.force", "force", PO_OF_PULL_OFF},
   [PO_PULL_OFF_APPROACH] = {"pull_off_approach", "pull_off.approach", "approach", PO_OF_PULL_OFF},
   [PO_CONTACT_RADIUS] = {"contact_radius", "pull_off.contact_radius", "contact_radius", PO_OF_PULL_OFF},
+  [PO_PULL_OFF_UNCERTAINTY] = {"pull_off_uncertainty", "uncertainty.force", "standard_uncertainty", PO_OF_INPUTS},
   [PO_HYSTERESIS_FORCE] = {"hysteresis_force", LOOP "pull_off.force", "force", PO_OF_LOOP},
   [PO_HYSTERESIS_APPROACH] = {"hysteresis_approach", LOOP "pull_off.approach", "approach", PO_OF_LOOP},
   [PO_HYSTERESIS_LOSS] = {"hysteresis_loss", LOOP "energy_lost", "energy_lost", PO_OF_LOOP},

@@ -36,10 +36,11 @@ bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request
 typedef enum {
   PO_PULL_OFF_FORCE,
   PO_PULL_OFF_APPROACH,
-  PO_CONTACT_RADIUS,   /* at pull-off */
-  PO_RESIDUAL,         /* of the discrete equations, see po_diagnostics.h */
-  PO_MOVED_FORCE,      /* its change with the last bits of the inputs, relative to its errors */
-  PO_ENERGY_DEFECT,    /* error of the energy balance dU = W dΔ along the branch */
+  PO_CONTACT_RADIUS,       /* at pull-off */
+  PO_PULL_OFF_UNCERTAINTY, /* its standard uncertainty by those of the inputs */
+  PO_RESIDUAL,             /* of the discrete equations, see po_diagnostics.h */
+  PO_MOVED_FORCE,          /* its change with the last bits of the inputs, relative to its errors */
+  PO_ENERGY_DEFECT,        /* error of the energy balance dU = W dΔ along the branch */
   PO_REVERSE_TRACE,    /* differences between the folds of the trace and of the reverse trace, see
                           po_diagnose.h */
   PO_HYSTERESIS_FORCE, /* the greatest tension during unloading at given approach */
@@ -106,6 +107,7 @@ po_reference_type po_reference_type_of(const char *reference);
  * reference of a diagnostic is zero. */
 typedef enum {
   PO_OF_PULL_OFF,
+  PO_OF_INPUTS,    /* the uncertainty of the pull-off force */
   PO_OF_LOOP,      /* loading and unloading at given approach */
   PO_OF_STAIRCASE, /* all preloads */
   PO_OF_DIAGNOSTICS,

@@ -59,7 +59,8 @@ static const po_field TRACED[] = {
 
 static const po_field CHECK[] = {
     TEXT("quantity", po_check, quantity_text,
-         "pull_off_force, pull_off_approach, contact_radius, residual, moved_force, "
+         "pull_off_force, pull_off_approach, contact_radius, pull_off_uncertainty, residual, "
+         "moved_force, "
          "energy_defect, reverse_trace, hysteresis_force, hysteresis_approach, hysteresis_loss, "
          "jumps, pull_off_any, steps, load_steps, fold_count, folds, extrema, curve, work or "
          "solved_share"),

@@ -72,6 +72,7 @@ unsigned po_plan_asked(const po_plan *plan) {
 static const unsigned WANTS[] = {[PO_OF_LOOP] = PO_WANT_HYSTERESIS,
                                  [PO_OF_STAIRCASE] = PO_WANT_PRELOAD,
                                  [PO_OF_DIAGNOSTICS] = PO_WANT_DIAGNOSTICS,
+                                 [PO_OF_INPUTS] = 0,
                                  [PO_OF_SOLVE] = 0};
 
 /* Determines which results the case and its checks need. */

@@ -184,12 +184,13 @@ static po_status add_table(const po_case_run *run, size_t index, size_t number, 
 }
 
 /* Returned: the command that solves a point again. That of a followed point traces its scene, to
- * which the report links; po_plan_add_rerun has the command that follows it again. */
+ * which the report links; po_plan_add_rerun has the command that follows it again. A scene with
+ * uncertain numbers is solved again by its case, which has them. */
 static json_t *command_json(const po_case_run *run, size_t index) {
   po_text text = {0};
   po_request shown = shown_request(run->plan->kase, &run->plan->kase->points[index]);
   shown.want = run->plan->want;
-  if (run->plan->solver)
+  if (run->plan->solver || shown.variations)
     po_plan_add_rerun(run->plan, index, &text);
   else
     po_input_add_command(&shown, &text);

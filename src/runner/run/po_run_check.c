@@ -46,6 +46,7 @@ static po_status reach(const po_case_run *run, size_t point, const volatile sig_
   po_result result;
   request.mesh = po_mesh_default();
   request.want = PO_WANT_HYSTERESIS;
+  request.variations = 0;
   request.time_limit = (double)NAN;
   request.stop = stop;
   const po_status status = po_solve(&request, &result);

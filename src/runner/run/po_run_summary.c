@@ -12,34 +12,39 @@
 #include "po_si.h"
 #include "po_tables.h"
 
-/* The numbers of a point: their column and path; those of a loop begin with its path. Those of a
- * viscoelastic body are in a summary in which there is one. */
+/* What a summary may have: uncertain numbers, a viscoelastic body. */
+enum { OF_ALL = 0, OF_UNCERTAIN = 1, OF_RATE = 2 };
+
+/* The numbers of a point: their column and path; those of a loop begin with its path; what the
+ * summary has if they are in it. */
 static const struct {
   const char *name, *path;
-  bool of_loop, of_rate;
-} COLUMNS[] = {{"force", "pull_off.force", false, false},
-               {"force_error", "pull_off.error_estimate", false, false},
-               {"approach", "pull_off.approach", false, false},
-               {"approach_error", "pull_off.approach_error_estimate", false, false},
-               {"contact_radius", "pull_off.contact_radius", false, false},
-               {"contact_radius_error", "pull_off.contact_radius_error_estimate", false, false},
-               {"energy_lost", "energy_lost", true, false},
-               {"energy_lost_error", "energy_lost_error_estimate", true, false},
-               {"work", "work", true, false},
-               {"work_error", "work_error_estimate", true, false},
-               {"unloading_work", "unloading.end.energies.work", false, true},
-               {"unloading_work_error", "unloading.error_estimate.work", false, true},
-               {"dissipated", "unloading.end.energies.dissipated", false, true},
-               {"dissipated_error", "unloading.error_estimate.dissipated", false, true},
-               {"lost_in_jumps", "unloading.end.energies.jumps", false, true},
-               {"lost_in_jumps_error", "unloading.error_estimate.jumps", false, true}};
-enum { ALL_COLUMNS = sizeof COLUMNS / sizeof *COLUMNS, RATE_COLUMNS = 6 };
+  bool of_loop;
+  unsigned of;
+} COLUMNS[] = {{"force", "pull_off.force", false, OF_ALL},
+               {"force_error", "pull_off.error_estimate", false, OF_ALL},
+               {"force_uncertainty", "uncertainty.force", false, OF_UNCERTAIN},
+               {"approach", "pull_off.approach", false, OF_ALL},
+               {"approach_error", "pull_off.approach_error_estimate", false, OF_ALL},
+               {"contact_radius", "pull_off.contact_radius", false, OF_ALL},
+               {"contact_radius_error", "pull_off.contact_radius_error_estimate", false, OF_ALL},
+               {"energy_lost", "energy_lost", true, OF_ALL},
+               {"energy_lost_error", "energy_lost_error_estimate", true, OF_ALL},
+               {"work", "work", true, OF_ALL},
+               {"work_error", "work_error_estimate", true, OF_ALL},
+               {"unloading_work", "unloading.end.energies.work", false, OF_RATE},
+               {"unloading_work_error", "unloading.error_estimate.work", false, OF_RATE},
+               {"dissipated", "unloading.end.energies.dissipated", false, OF_RATE},
+               {"dissipated_error", "unloading.error_estimate.dissipated", false, OF_RATE},
+               {"lost_in_jumps", "unloading.end.energies.jumps", false, OF_RATE},
+               {"lost_in_jumps_error", "unloading.error_estimate.jumps", false, OF_RATE}};
+enum { COLUMN_COUNT = sizeof COLUMNS / sizeof *COLUMNS };
 
 typedef struct {
   const po_case_run *runs;
   size_t count;
-  size_t columns; /* the first ones of COLUMNS */
-  json_t *keys;   /* those that vary in any case, as members of an object */
+  unsigned has; /* OF_UNCERTAIN, OF_RATE */
+  json_t *keys; /* those that vary in any case, as members of an object */
   po_text rows;
 } summary;
 
@@ -65,15 +70,20 @@ static po_si_unit unit_of(const summary *s, const po_case *kase, size_t point, s
   return unit;
 }
 
+static bool is_in(const summary *s, size_t column) {
+  return (COLUMNS[column].of & ~s->has) == 0;
+}
+
 static void add_names(summary *s) {
   const char *key;
   json_t *value;
   po_text_add(&s->rows, "case,point");
   json_object_foreach(s->keys, key, value) po_text_add(&s->rows, ",%s", key);
   po_text_add(&s->rows, ",status");
-  for (size_t c = 0; c < s->columns; ++c) {
+  for (size_t c = 0; c < COLUMN_COUNT; ++c) {
     const po_si_unit unit = unit_of(s, s->runs->plan->kase, 0, c);
-    po_text_add(&s->rows, ",%s%s%s", COLUMNS[c].name, *unit.name ? "_" : "", unit.name);
+    if (is_in(s, c))
+      po_text_add(&s->rows, ",%s%s%s", COLUMNS[c].name, *unit.name ? "_" : "", unit.name);
   }
   po_text_add(&s->rows, "\n");
 }
@@ -102,23 +112,25 @@ static void add_point(summary *s, const po_case_run *run, size_t index) {
       add_value(&s->rows, json_object_get(json_object_get(entry, "sweep"), key));
   json_decref(entry);
   po_text_add(&s->rows, ",%s,", po_status_name(result->status));
-  double row[ALL_COLUMNS];
-  for (size_t c = 0; c < s->columns; ++c) {
+  double row[COLUMN_COUNT];
+  size_t columns = 0;
+  for (size_t c = 0; c < COLUMN_COUNT; ++c) {
     char path[80];
     path_of(c, result, path);
     const po_si_unit unit = unit_of(s, kase, index, c);
-    row[c] = po_si_value(&unit, po_block_number(&PO_ALL_ROWS, result, path));
+    if (is_in(s, c))
+      row[columns++] = po_si_value(&unit, po_block_number(&PO_ALL_ROWS, result, path));
   }
-  po_csv_add_row(&s->rows, row, s->columns);
+  po_csv_add_row(&s->rows, row, columns);
 }
 
-/* The number of columns of a summary: those of a viscoelastic body are the last ones. */
-static size_t count_columns(const po_case_run *runs, size_t count) {
+static unsigned find_parts(const po_case_run *runs, size_t count) {
+  unsigned has = OF_ALL;
   for (size_t r = 0; r < count; ++r)
     for (size_t k = 0; k < runs[r].plan->kase->point_count; ++k)
-      if (runs[r].plan->kase->points[k].request.creep.kind != PO_CREEP_NONE)
-        return ALL_COLUMNS;
-  return ALL_COLUMNS - RATE_COLUMNS;
+      has |= (runs[r].plan->kase->points[k].request.creep.kind != PO_CREEP_NONE ? OF_RATE : 0U) |
+             (runs[r].points[k].result.uncertain_count ? OF_UNCERTAIN : 0U);
+  return has;
 }
 
 /* Finds the keys that vary, and checks that all cases have the same kind of units. */
@@ -143,7 +155,7 @@ static po_status find_keys(summary *s) {
 }
 
 po_status po_run_summary_write(const char *path, const po_case_run *runs, size_t count) {
-  summary s = {.runs = runs, .count = count, .columns = count_columns(runs, count)};
+  summary s = {.runs = runs, .count = count, .has = find_parts(runs, count)};
   po_status status = find_keys(&s);
   if (!status && count) {
     po_text header = {0};
@@ -152,16 +164,17 @@ po_status po_run_summary_write(const char *path, const po_case_run *runs, size_t
       for (size_t k = 0; k < runs[r].plan->kase->point_count; ++k)
         if (runs[r].points[k].asked)
           add_point(&s, &runs[r], k);
-    po_text_add(&header,
-                "# what: pull-offs of the points of a run, with the energy lost in loading "
-                "and unloading\n# units: %s; errors are estimated bounds; nan: not known%s\n",
-                runs->plan->kase->is_physical
-                    ? "SI, at the end of the name of each column"
-                    : "lengths in epsilon; force in pi w R, of a profile without a radius in pi w "
-                      "epsilon; energies in these times epsilon",
-                s.columns < ALL_COLUMNS ? ""
-                                        : "; unloading_work: by the base that unloads a "
-                                          "viscoelastic body");
+    po_text_add(
+        &header,
+        "# what: pull-offs of the points of a run, with the energy lost in loading "
+        "and unloading\n# units: %s; errors are estimated bounds; nan: not known%s%s\n",
+        runs->plan->kase->is_physical
+            ? "SI, at the end of the name of each column"
+            : "lengths in epsilon; force in pi w R, of a profile without a radius in pi w "
+              "epsilon; energies in these times epsilon",
+        s.has & OF_UNCERTAIN ? "; force_uncertainty: standard uncertainty by those of the inputs"
+                             : "",
+        s.has & OF_RATE ? "; unloading_work: by the base that unloads a viscoelastic body" : "");
     status = po_tables_write_rows(path, &header, &s.rows);
     po_text_clear(&header);
   }

@@ -162,4 +162,17 @@ void po_input_add_command(const po_request *request, po_text *text) {
 
 void po_input_add_identity(const po_request *request, po_text *text) {
   describe_request(request, true, text);
+  for (size_t k = 0; k < request->variations; ++k) {
+    const po_variation *v = &request->variation[k];
+    char value[2][PO_NUMBER_LENGTH];
+    po_number_print(v->value, value[0]);
+    po_number_print(v->deviation, value[1]);
+    po_text_add(text, " %s=%s+-%s", v->source, value[0], value[1]);
+    for (int more = 0; more < 2; ++more) {
+      po_number_print(v->unit[more], value[0]);
+      po_text_add(text, " (%s: ", value[0]);
+      describe_request(v->moved[more], true, text);
+      po_text_add(text, ")");
+    }
+  }
 }
