@@ -3,7 +3,7 @@ them, python3 tests/python/keys.py --write makes it anew."""
 
 from typing import TypedDict
 
-from ._values import Name, Names, Number, Pair, Path, Waves
+from ._values import Energies, Name, Names, Number, Pair, Path, Waves
 
 
 class Keys(TypedDict, total=False):
@@ -54,6 +54,7 @@ class Keys(TypedDict, total=False):
     young_pa: Pair
     poisson: Pair
     work_j_per_m2: Number
+    surface_energies_j_per_m2: Energies
     distance_m: Number
     radius_m: Pair
     amplitude_m: Number

@@ -24,6 +24,7 @@ Names = Union[str, list[str], tuple[str, ...], set[str], frozenset[str], None]
 Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes], None]
 Waves = Union[str, Sequence[Sequence[Number]], np.ndarray, None]
 Pair = Union[Number, Sequence[Number]]  # of two bodies, or of one
+Energies = Union[str, Sequence[Number], None]  # of two surfaces, and of the interface
 
 BAD_INPUT = -1
 
@@ -46,7 +47,8 @@ def keys() -> dict[str, str]:
 
 KEYS = keys()
 
-_LISTS = {"waves": ", or [(A, L), ...]", "want": ", or a list of them"} | dict.fromkeys(("young_pa", "poisson", "radius_m"), ", or a pair")
+_LISTS = {"waves": ", or [(A, L), ...]", "want": ", or a list of them"} | {
+    "surface_energies_j_per_m2": ", or a tuple of them"} | dict.fromkeys(("young_pa", "poisson", "radius_m"), ", or a pair")
 
 
 def shown(value: object) -> str:
@@ -156,15 +158,19 @@ def _waves(value: object) -> str | None:
     return ";".join(waves) or "-"
 
 
-def _pair(value: object) -> str | None:
-    if not isinstance(value, (list, tuple)) or len(value) != 2:
+def _list(value: object) -> str | None:
+    if not isinstance(value, (list, tuple)) or len(value) not in (2, 3):
         return number(value)
-    both = [part if isinstance(part, str) else number(part) for part in value]
-    return None if None in both else ",".join(map(str, both))
+    parts = [part if isinstance(part, str) else number(part) for part in value]
+    return None if None in parts else ",".join(map(str, parts))
+
+
+def _pair(value: object) -> str | None:
+    return None if isinstance(value, (list, tuple)) and len(value) != 2 else _list(value)
 
 
 _OTHERS: dict[str, Callable[[object], str | None]] = {"profile_file": _path, "want": _names, "waves": _waves,
-                                                      "young_pa": _pair, "poisson": _pair, "radius_m": _pair}
+                                                      "young_pa": _pair, "poisson": _pair, "radius_m": _pair, "surface_energies_j_per_m2": _list}
 
 
 def text_of(key: str, value: object) -> str | None:

@@ -326,3 +326,48 @@ def test_wrong_bodies(words, message):
     expect(2, f"pulloff: {message}", f"solve {TWO} --radius-m 2e-8 {words}")
     expect(2, "pulloff: --radius-m is 2e-8,-1: expected a finite number > 0, or two with a comma between",
            f"solve {TWO} --modulus-pa 1e9 --radius-m 2e-8,-1")
+
+
+ENERGIES = "solve --from-physical --modulus-pa 2e9 --distance-m 3e-10 --radius-m 2e-8 --tolerance 1e-4"
+
+
+@pytest.mark.parametrize("energies", [(0.025, 0.04, 0.015), (0.025, 0.04), (0.03, 0)])
+def test_work_of_adhesion_from_surface_energies(energies):
+    """Dupre: w = gamma1 + gamma2 - gamma12. The results are those of this w, and the line of the bodies states it."""
+    text = ",".join(map(repr, energies))
+    work = energies[0] + energies[1] - sum(energies[2:])
+    one, two = document(f"{ENERGIES} --work-j-per-m2 {work!r}"), document(f"{ENERGIES} --surface-energies-j-per-m2 {text}")
+    assert one["digest"] == two["digest"] and one["physical"]["pull_off"] == two["physical"]["pull_off"]
+    assert two["physical"]["bodies"] == {"modulus_pa": None, "radius_m": 2e-8, "work_j_per_m2": work}
+    assert two["physical"]["input"]["surface_energies_j_per_m2"] == text
+    printed = expect(0, "", f"{ENERGIES} --surface-energies-j-per-m2 {text}").out
+    assert f"\nbodies   radius R 2e-08 m, work of adhesion w {work:.10g} J/m^2\n" in printed
+    scene = ENERGIES.partition("solve ")[2].partition(" --tolerance")[0]
+    assert f", work of adhesion w {work:.10g} J/m^2\n" in expect(0, "", f"theory jkr {scene} --surface-energies-j-per-m2 {text}").out
+    series = f"follow {scene.replace('--radius-m 2e-8', '')} --key radius-m --from 1e-8 --to 2e-8 --points 2"
+    assert document(f"{series} --surface-energies-j-per-m2 {text}")["digest"] == document(f"{series} --work-j-per-m2 {work!r}")["digest"]
+
+
+def test_uncertain_surface_energies():
+    """Each is a source of its own: d F/d gamma is d F/d w, with the sign of its term."""
+    found = document(f"{ENERGIES} --surface-energies-j-per-m2 0.025+-0.001,0.04+-0.002,0.015+-0.003")["uncertainty"]["sources"]
+    whole = document(f"{ENERGIES} --work-j-per-m2 0.05+-0.001")["physical"]["uncertainty"]["sources"][0]
+    names = [f"surface-energies-j-per-m2 of {part}" for part in ("body 1", "body 2", "the interface")]
+    assert [(s["source"], s["value"], s["deviation"]) for s in found] == list(zip(names, (0.025, 0.04, 0.015), (0.001, 0.002, 0.003)))
+    si = document(f"{ENERGIES} --surface-energies-j-per-m2 0.025+-0.001,0.04+-0.002,0.015+-0.003")["physical"]["uncertainty"]["sources"]
+    for source, times in zip(si, (1, 2, 3)):
+        assert source["force_n"] == pytest.approx(times * whole["force_n"], rel=1e-2)
+    assert si[0]["above_n"] > 0 > si[2]["above_n"]
+
+
+@pytest.mark.parametrize("words, message", [
+    ("0.03,0.03 --work-j-per-m2 0.06", "0.03,0.03: expected it to be left out beside --work-j-per-m2, the work of adhesion"),
+    ("0.03", "0.03: expected G1,G2 or G1,G2,G12, numbers >= 0, with G1 + G2 - G12 > 0"),
+    ("0.03,0.02,0.05", "0.03,0.02,0.05: expected G1,G2 or G1,G2,G12, numbers >= 0, with G1 + G2 - G12 > 0"),
+    ("0.03,-0.02", "0.03,-0.02: expected *"), ("0.03,inf", "0.03,inf: expected *"), ("0.03,0.02,0.01,0.01", "*: expected *"),
+    ("0.03+-0.02,0", "0.03,0+-0.02, and moved by twice its uncertainty it is refused: --surface-energies-j-per-m2 is -0.01*,0: expected *")])
+def test_wrong_surface_energies(words, message):
+    expect(2, f"pulloff: --surface-energies-j-per-m2 is {message}", f"{ENERGIES} --surface-energies-j-per-m2 {words}")
+    if "work" not in words:
+        expect(2, "pulloff: --surface-energies-j-per-m2 is *: expected it with --from-physical, as it is in SI units",
+               f"solve --tabor 1 --surface-energies-j-per-m2 {words.split()[0]}")

@@ -9,13 +9,14 @@ import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = SOURCE / "python" / "pulloff"
-OTHERS = {"profile_file": "Path", "want": "Names", "waves": "Waves", **dict.fromkeys(("young_pa", "poisson", "radius_m"), "Pair")}
+OTHERS = {"profile_file": "Path", "want": "Names", "waves": "Waves", **dict.fromkeys(("young_pa", "poisson", "radius_m"), "Pair"),
+          "surface_energies_j_per_m2": "Energies"}
 HEAD = '''"""The keys of a scene, for type checkers and editors. This file is made of the keys of the library: after a change of
 them, python3 tests/python/keys.py --write makes it anew."""
 
 from typing import TypedDict
 
-from ._values import Name, Names, Number, Pair, Path, Waves
+from ._values import Energies, Name, Names, Number, Pair, Path, Waves
 
 
 class Keys(TypedDict, total=False):

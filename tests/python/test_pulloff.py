@@ -142,6 +142,18 @@ class SameNumbers(unittest.TestCase):
             with self.assertRaisesRegex(pulloff.Error, "^young_pa is .*: expected .*, or a pair"):
                 pulloff.Scene(young_pa=wrong, poisson=(0.3, 0.3), radius_m=1e-8, **rest)
 
+    def test_surface_energies(self):
+        rest = {"modulus_pa": 2e9, "distance_m": 3e-10, "radius_m": 1e-8}
+        one = pulloff.solve(work_j_per_m2=0.0625, **rest)
+        for energies in ((0.0625, 0.03125, 0.03125), [0.03125, "0.03125"], "0.03125,0.03125"):
+            result = pulloff.solve(surface_energies_j_per_m2=energies, **rest)
+            self.assertEqual((result.document["digest"], result.units), (one.document["digest"], one.units))
+        for wrong in (0.03125,), 0.03125, (0.1, 0.2, 0.3, 0.4), (0.1, None), (0.1, 0.1, 0.2):
+            with self.assertRaisesRegex(pulloff.Error, "^surface_energies_j_per_m2 is .*: expected G1,G2 or G1,G2,G12"):
+                pulloff.solve(surface_energies_j_per_m2=wrong, **rest)
+        with self.assertRaisesRegex(pulloff.Error, "expected it to be left out beside work_j_per_m2"):
+            pulloff.solve(surface_energies_j_per_m2=(0.03, 0.03), work_j_per_m2=0.06, **rest)
+
     def test_keys_in_si_units(self):
         tip = {"modulus_pa": 2e9, "work_j_per_m2": 0.05, "distance_m": 3e-10, "radius_m": 1e-7}
         options = ["--from-physical"] + [word for key, value in {**tip, "preload_load_n": 2e-9, "stiffness_n_per_m": 2.0}.items()

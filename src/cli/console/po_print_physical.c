@@ -52,11 +52,14 @@ json_t *po_json_physical_input(const po_texts *given, const po_units *units) {
                   po_number_parse(text, &value) ? po_json_number(value) : po_json_text(text));
   }
   json_t *object = PO_JSON_OBJECT({"input", input}, {"units", po_json_units(units)});
-  double modulus, radius;
-  if (po_texts_bodies(given, &modulus, &radius))
-    po_json_set(&object, "bodies",
-                PO_JSON_OBJECT({"modulus_pa", po_json_number(modulus)},
-                               {"radius_m", po_json_number(radius)}));
+  double modulus, radius, work;
+  if (po_texts_bodies(given, &modulus, &radius, &work)) {
+    json_t *bodies = PO_JSON_OBJECT({"modulus_pa", po_json_number(modulus)},
+                                    {"radius_m", po_json_number(radius)});
+    if (!isnan(work))
+      po_json_set(&bodies, "work_j_per_m2", po_json_number(work));
+    po_json_set(&object, "bodies", bodies);
+  }
   return object;
 }
 
@@ -67,16 +70,20 @@ json_t *po_json_physical(const po_texts *given, const po_request *request,
   return object;
 }
 
-/* The contact modulus and the radius that follow from two bodies. */
+/* The contact modulus, the radius and the work of adhesion that follow from two bodies. */
 static void print_bodies(const po_texts *given) {
-  double modulus, radius;
-  if (!po_texts_bodies(given, &modulus, &radius))
+  double value[3];
+  static const struct {
+    const char *name, *unit;
+  } OF[] = {{"contact modulus E*", "Pa"}, {"radius R", "m"}, {"work of adhesion w", "J/m^2"}};
+  if (!po_texts_bodies(given, &value[0], &value[1], &value[2]))
     return;
-  printf("bodies  ");
-  if (!isnan(modulus))
-    printf(" contact modulus E* %.10g Pa", modulus);
-  if (!isnan(radius))
-    printf("%s radius R %.10g m", isnan(modulus) ? "" : ",", radius);
+  const char *before = "bodies   ";
+  for (int k = 0; k < 3; ++k)
+    if (!isnan(value[k])) {
+      printf("%s%s %.10g %s", before, OF[k].name, value[k], OF[k].unit);
+      before = ", ";
+    }
   printf("\n");
 }
 

@@ -71,7 +71,7 @@ enum { PO_VARIATION_REACH = 2 };
 
 /* An uncertain input: the request with the input moved to both sides. */
 typedef struct {
-  char source[40];                   /* the name of its option */
+  char source[48];                   /* the name of its option */
   double value, deviation;           /* as they were given */
   const struct po_request *moved[2]; /* less, more */
   double unit[2]; /* pi w R of these requests in that of the request that has this variation */

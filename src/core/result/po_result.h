@@ -92,7 +92,7 @@ typedef struct {
 
 /* What the uncertainty of one input, or the noise of a profile, does to the pull-off force. */
 typedef struct {
-  char source[40];         /* the name of the option, or "noise" */
+  char source[48];         /* the name of the option, or "noise" */
   double value, deviation; /* of the input; of noise: NAN, and that of the rows in their unit */
   double below, above; /* changes of the force, pi w R, when the input is less and more by twice its
                           deviation; NAN: that solve failed */

@@ -116,7 +116,7 @@ po_status po_case_axis_check(const po_case *kase, po_axis *axis, const char *whe
     if (!po_key_set(&request, key, axis->values[i]))
       return po_fields_refuse(yaml, PO_KEYS[key].expected, "%s.values[%u]", where, i + 1);
     double number = key < PO_KEY_END ? po_key_number(&request, key) : (double)NAN;
-    if (po_key_is_pair(key))
+    if (po_key_is_list(key))
       number = i;
     else if (isnan(number)) /* a parameter of another law or profile than that of the request */
       po_number_parse(axis->values[i], &number);

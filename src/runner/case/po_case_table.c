@@ -8,7 +8,7 @@
 
 /* Whether values of a key have commas, which are semicolons in tables. */
 static bool has_commas(po_key key) {
-  return po_key_is_pair(key) || key == PO_KEY_LAW || key == PO_KEY_PROFILE;
+  return po_key_is_list(key) || key == PO_KEY_LAW || key == PO_KEY_PROFILE;
 }
 
 /* Returned: a copy of a cell as case files write it; NULL without memory. */

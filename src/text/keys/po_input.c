@@ -17,6 +17,7 @@ typedef enum {
   RADII_DOMAIN, /* this and the next two: one number, or two with a comma between */
   MODULI_DOMAIN,
   RATIOS_DOMAIN,
+  ENERGIES_DOMAIN, /* two numbers or three */
   NOT_NEGATIVE_OR_INFINITE_DOMAIN,
   COUNT_DOMAIN,
   NAME_DOMAIN
@@ -33,6 +34,7 @@ typedef enum {
 #define RADII OTHER(RADII, "a finite number > 0, or two with a comma between")
 #define MODULI OTHER(MODULI, "a number > 0 or inf, or two with a comma between")
 #define RATIOS OTHER(RATIOS, "a number from -1 to 0.5, or two with a comma between")
+#define ENERGIES OTHER(ENERGIES, "G1,G2 or G1,G2,G12, numbers >= 0, with G1 + G2 - G12 > 0")
 #define NOT_NEGATIVE_OR_INFINITE OTHER(NOT_NEGATIVE_OR_INFINITE, "a finite number >= 0, or inf")
 #define COUNT OTHER(COUNT, "a whole number > 0")
 #define NUMBER PO_DIMENSION_NONE
@@ -182,34 +184,49 @@ static bool parse_or_infinity(const char *text, double *value) {
   return po_number_parse(text, value);
 }
 
-bool po_key_is_pair(po_key key) {
-  return key >= 0 && PO_KEYS[key].domain >= RADII_DOMAIN && PO_KEYS[key].domain <= RATIOS_DOMAIN;
+bool po_key_is_list(po_key key) {
+  return key >= 0 && PO_KEYS[key].domain >= RADII_DOMAIN && PO_KEYS[key].domain <= ENERGIES_DOMAIN;
 }
 
-/* Whether a body may have a number of a pair. */
-static bool is_of_body(value_type domain, double value) {
+/* Whether a list may have a number. */
+static bool is_of_list(value_type domain, double value) {
+  if (domain == ENERGIES_DOMAIN)
+    return value >= 0.0 && isfinite(value);
   return domain == RATIOS_DOMAIN ? value > -1.0 && value <= 0.5
                                  : value > 0.0 && (domain == MODULI_DOMAIN || isfinite(value));
 }
 
-size_t po_key_parse_pair(po_key key, const char *text, double value[2]) {
-  char first[PO_KEY_TEXT_LENGTH];
+size_t po_key_parse_list(po_key key, const char *text, double value[PO_KEY_LIST_MOST]) {
   const value_type domain = (value_type)PO_KEYS[key].domain;
-  const size_t length = strcspn(text, ",");
-  const bool two = text[length] == ',';
-  if (length >= sizeof first)
-    return 0;
-  memcpy(first, text, length);
-  first[length] = '\0';
-  for (int k = 0; k < 1 + two; ++k)
-    if (!parse_or_infinity(k ? text + length + 1 : first, &value[k]) ||
-        !is_of_body(domain, value[k]))
+  const size_t least = domain == ENERGIES_DOMAIN ? 2 : 1, most = least + 1;
+  size_t count = 0;
+  for (const char *next = text; next; ++count) {
+    char number[PO_NUMBER_LENGTH];
+    const size_t length = strcspn(next, ",");
+    if (count == most || length >= sizeof number)
       return 0;
-  return 1 + two;
+    memcpy(number, next, length);
+    number[length] = '\0';
+    if (!parse_or_infinity(number, &value[count]) || !is_of_list(domain, value[count]))
+      return 0;
+    next = next[length] ? next + length + 1 : NULL;
+  }
+  return count < least ? 0 : count;
+}
+
+/* The number that follows from those of a list. */
+static bool parse_whole(po_key key, const char *text, double *whole) {
+  double value[PO_KEY_LIST_MOST];
+  const size_t count = po_key_parse_list(key, text, value);
+  *whole = value[0];
+  if (PO_KEYS[key].domain == ENERGIES_DOMAIN) /* Dupre's equation */
+    *whole = count ? value[0] + value[1] - (count > 2 ? value[2] : 0.0) : 0.0;
+  else if (PO_KEYS[key].domain == RADII_DOMAIN && count == 2) /* 1/R = 1/R1 + 1/R2 */
+    *whole = value[0] / (1.0 + value[0] / value[1]);
+  return count && (PO_KEYS[key].domain != ENERGIES_DOMAIN || *whole > 0.0);
 }
 
 bool po_key_parse(po_key key, const char *text, double *value) {
-  double pair[2];
   switch ((value_type)PO_KEYS[key].domain) {
   case ANY_NUMBER_DOMAIN:
     return po_number_parse(text, value);
@@ -225,16 +242,8 @@ bool po_key_parse(po_key key, const char *text, double *value) {
   case RADII_DOMAIN:
   case MODULI_DOMAIN:
   case RATIOS_DOMAIN:
-    switch (po_key_parse_pair(key, text, pair)) {
-    case 2: /* 1/R = 1/R1 + 1/R2 */
-      *value = PO_KEYS[key].domain == RADII_DOMAIN ? pair[0] / (1.0 + pair[0] / pair[1]) : pair[0];
-      return true;
-    case 1:
-      *value = pair[0];
-      return true;
-    default:
-      return false;
-    }
+  case ENERGIES_DOMAIN:
+    return parse_whole(key, text, value);
   case FINITE_OR_INFINITE_DOMAIN:
     return parse_or_infinity(text, value) && *value > -INFINITY;
   case NOT_NEGATIVE_OR_INFINITE_DOMAIN:

@@ -88,14 +88,17 @@ po_key po_key_target(po_key key);
 /* Returned: the key that gives the same in SI units: PO_KEY_RADIUS_M of PO_KEY_RADIUS; -1: none. */
 int po_key_in_si(po_key key);
 
-/* Returned: whether a key takes a number for each of two bodies, "R1,R2", or one. */
-bool po_key_is_pair(po_key key);
+/* Returned: whether a key takes a number for each of two bodies, "R1,R2", or one; the surface
+ * energies are those of two bodies and of their interface. */
+bool po_key_is_list(po_key key);
 
-/* Parses the numbers of such a key. Returned: how many there are, 1 or 2; 0 if the key does not
- * accept the text. */
-size_t po_key_parse_pair(po_key key, const char *text, double value[2]);
+/* Parses the numbers of such a key. Returned: how many there are; 0 if the key does not accept the
+ * text. */
+enum { PO_KEY_LIST_MOST = 3 };
+size_t po_key_parse_list(po_key key, const char *text, double value[PO_KEY_LIST_MOST]);
 
-/* Parses the number of a key; of two radii R1 R2/(R1 + R2). Returned: false if the key does not
+/* Parses the number of a key; of two radii R1 R2/(R1 + R2), of surface energies the work of
+ * adhesion. Returned: false if the key does not
  * accept the text. */
 bool po_key_parse(po_key key, const char *text, double *value);
 

@@ -129,6 +129,9 @@
   X(POISSON, "poisson", RATIOS, NUMBER, SI, NO_PLACE, CONSTANT, EVERY, "N1[,N2]", \
     HELP("Poisson's ratio of each body of --young-pa")) \
   X(WORK_J_PER_M2, "work_j_per_m2", POSITIVE, NUMBER, SI, NO_PLACE, VARIES, EVERY, "W", HELP("work of adhesion, in J/m^2")) \
+  X(SURFACE_ENERGIES, "surface_energies_j_per_m2", ENERGIES, NUMBER, SI, NO_PLACE, CONSTANT, EVERY, "G1,G2[,G12]", \
+    HELP("surface energies of the two bodies and of their interface (default 0), in J/m^2, instead of the work of " \
+         "adhesion, which is G1 + G2 - G12")) \
   X(DISTANCE_M, "distance_m", POSITIVE, LENGTH, SI, NO_PLACE, VARIES, EVERY, "EPSILON", HELP("equilibrium distance, in m")) \
   X(RADIUS_M, "radius_m", RADII, LENGTH, SI, SETS(RADIUS), VARIES, EVERY, "R1[,R2]", \
     HELP("radius of the sphere, or of two spheres, in m; may be missing for other profiles")) \

@@ -134,25 +134,28 @@ static double contact_modulus(const double young[2], const double poisson[2], si
   return 1.0 / compliance;
 }
 
-bool po_texts_bodies(const po_texts *given, double *modulus, double *radius) {
-  const char *young_text = given->text[PO_KEY_YOUNG_PA], *radii = given->text[PO_KEY_RADIUS_M];
-  double young[2], poisson[2];
-  *modulus = *radius = (double)NAN;
+bool po_texts_bodies(const po_texts *given, double *modulus, double *radius, double *work) {
+  const char *young_text = given->text[PO_KEY_YOUNG_PA], *radii = given->text[PO_KEY_RADIUS_M],
+             *energies = given->text[PO_KEY_SURFACE_ENERGIES];
+  double young[PO_KEY_LIST_MOST], poisson[PO_KEY_LIST_MOST];
+  *modulus = *radius = *work = (double)NAN;
+  if (energies)
+    po_key_parse(PO_KEY_SURFACE_ENERGIES, energies, work);
   if (young_text && given->text[PO_KEY_POISSON]) {
-    const size_t count = po_key_parse_pair(PO_KEY_YOUNG_PA, young_text, young);
-    po_key_parse_pair(PO_KEY_POISSON, given->text[PO_KEY_POISSON], poisson);
+    const size_t count = po_key_parse_list(PO_KEY_YOUNG_PA, young_text, young);
+    po_key_parse_list(PO_KEY_POISSON, given->text[PO_KEY_POISSON], poisson);
     *modulus = contact_modulus(young, poisson, count);
   }
   if (radii)
     po_key_parse(PO_KEY_RADIUS_M, radii, radius);
-  return young_text || (radii && strchr(radii, ','));
+  return young_text || energies || (radii && strchr(radii, ','));
 }
 
 /* Reads moduli and Poisson's ratios of the bodies, if they are given. */
 static po_status read_bodies(po_texts *given, double *modulus) {
   const char *text[] = {given->text[PO_KEY_YOUNG_PA], given->text[PO_KEY_POISSON]};
   const po_key keys[] = {PO_KEY_YOUNG_PA, PO_KEY_POISSON};
-  double value[2][2];
+  double value[2][PO_KEY_LIST_MOST];
   size_t count[2] = {0, 0};
   char name[PO_KEY_NAME_LENGTH];
   if (!text[0] && !text[1])
@@ -166,7 +169,7 @@ static po_status read_bodies(po_texts *given, double *modulus) {
     po_texts_write_name(given, keys[1 - k], name);
     if (!text[k])
       return refuse(given, keys[k], "%s, beside %s", PO_KEYS[keys[k]].expected, name);
-    count[k] = po_key_parse_pair(keys[k], text[k], value[k]);
+    count[k] = po_key_parse_list(keys[k], text[k], value[k]);
     if (!count[k])
       return refuse(given, keys[k], "%s", PO_KEYS[keys[k]].expected);
   }
@@ -176,6 +179,18 @@ static po_status read_bodies(po_texts *given, double *modulus) {
   }
   *modulus = contact_modulus(value[0], value[1], count[0]);
   return PO_OK;
+}
+
+/* Reads the surface energies, if they are given. */
+static po_status read_energies(po_texts *given, double *work) {
+  const po_key key = PO_KEY_SURFACE_ENERGIES;
+  char name[PO_KEY_NAME_LENGTH];
+  po_texts_write_name(given, PO_KEY_WORK_J_PER_M2, name);
+  if (given->text[key] && given->text[PO_KEY_WORK_J_PER_M2])
+    return refuse(given, key, "it to be left out beside %s, the work of adhesion", name);
+  return !given->text[key] || po_key_parse(key, given->text[key], work)
+             ? PO_OK
+             : refuse(given, key, "%s", PO_KEYS[key].expected);
 }
 
 /* Reads the numbers in SI units of which the groups are computed. */
@@ -190,13 +205,15 @@ static po_status read_physical(po_texts *given, po_physical *p) {
     bool needed;
   } items[] = {
       {PO_KEY_MODULUS_PA, &p->modulus, !given->any_modulus && !given->text[PO_KEY_YOUNG_PA]},
-      {PO_KEY_WORK_J_PER_M2, &p->work, true},
+      {PO_KEY_WORK_J_PER_M2, &p->work, !given->text[PO_KEY_SURFACE_ENERGIES]},
       {PO_KEY_DISTANCE_M, &p->distance, true},
       {PO_KEY_RADIUS_M, &p->radius, !profile && !given->any_radius},
       {PO_KEY_AMPLITUDE_M, &p->amplitude, false},
       {PO_KEY_WAVELENGTH_M, &p->wavelength, false},
       {PO_KEY_OUTER_RADIUS_M, &p->outer_radius, false}};
-  const po_status status = read_bodies(given, &p->modulus);
+  po_status status = read_bodies(given, &p->modulus);
+  if (!status)
+    status = read_energies(given, &p->work);
   if (status)
     return status;
   for (size_t i = 0; i < sizeof items / sizeof *items; ++i) {

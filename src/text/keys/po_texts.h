@@ -26,12 +26,12 @@ typedef struct {
  * its value and what was expected. */
 po_status po_texts_read(po_texts *given, po_request *request);
 
-/* The contact modulus, Pa, and the radius, m, that follow from two bodies: 1/E* = (1 - nu1^2)/E1 +
- * (1
- * - nu2^2)/E2, K. L. Johnson, Contact Mechanics, Eq 4.9, and 1/R = 1/R1 + 1/R2; NAN: the texts have
- * no moduli of bodies, or no radius. Given: texts that were read. Returned: whether they have
- * moduli of bodies or two radii. */
-bool po_texts_bodies(const po_texts *given, double *modulus, double *radius);
+/* The contact modulus, Pa, the radius, m, and the work of adhesion, J/m^2, that follow from two
+ * bodies: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, K. L. Johnson, Contact Mechanics, Eq 4.9; 1/R =
+ * 1/R1 + 1/R2; w = gamma1 + gamma2 - gamma12. NAN: the texts have no moduli of bodies, no radius,
+ * no surface energies. Given: texts that were read. Returned: whether they have moduli of bodies,
+ * surface energies or two radii. */
+bool po_texts_bodies(const po_texts *given, double *modulus, double *radius, double *work);
 
 /* Whether a key is given, in its own unit or in SI units. */
 bool po_texts_has(const po_texts *given, po_key key);

@@ -15,7 +15,7 @@ bool po_uncertain_may(int key) {
   if (key < 0 || key >= PO_KEY_ALL)
     return false;
   const po_key target = po_key_target((po_key)key);
-  return po_key_is_continuous((po_key)key) || po_key_is_pair((po_key)key) ||
+  return po_key_is_continuous((po_key)key) || po_key_is_list((po_key)key) ||
          key == PO_KEY_TABLE_SCALE || target == PO_KEY_PRELOAD || target == PO_KEY_PRELOAD_LOAD;
 }
 
@@ -43,14 +43,14 @@ static bool cut_uncertainty(char *number, char *end, po_uncertain_number *read) 
   return valid;
 }
 
-/* Reads the uncertain numbers of one text, two if it has one for each body. */
+/* Reads the uncertain numbers of one text, several of a list. */
 static po_status read_text(po_texts *given, int key, po_uncertain_inputs *u) {
   const char *whole = given->text[key];
   char *number = u->text[key] = po_copy_text(whole);
   if (!number)
     return PO_NO_MEMORY;
   for (int body = 0; number; ++body) {
-    char *comma = po_key_is_pair((po_key)key) ? strchr(number, ',') : NULL;
+    char *comma = po_key_is_list((po_key)key) ? strchr(number, ',') : NULL;
     const char *sign = strstr(number, SIGN);
     if (sign && (!comma || sign < comma)) {
       po_uncertain_number *grown = po_grow(u->number, u->count, &u->room, sizeof *grown);
@@ -61,7 +61,7 @@ static po_status read_text(po_texts *given, int key, po_uncertain_inputs *u) {
       if (!cut_uncertainty(number, comma ? comma : number + strlen(number), &grown[u->count]))
         return refuse_value(given, key, whole);
       u->count += 1;
-      comma = po_key_is_pair((po_key)key) ? strchr(number, ',') : NULL;
+      comma = po_key_is_list((po_key)key) ? strchr(number, ',') : NULL;
     }
     number = comma ? comma + 1 : NULL;
   }
@@ -80,18 +80,31 @@ po_status po_uncertain_read(po_texts *given, po_uncertain_inputs *u) {
   return status;
 }
 
+/* Where number `index` of a text begins; of one that is no list the text. */
+static const char *number_at(po_key key, const char *text, int index) {
+  for (; index && po_key_is_list(key); --index)
+    text += strcspn(text, ",") + 1;
+  return text;
+}
+
 /* Makes the request of the texts with one number moved. */
 static po_status move_input(const po_texts *given, const po_uncertain_number *number, double by,
                             po_uncertain_maker *maker, const void *user, po_request *request) {
   po_texts moved = *given;
   const char *whole = given->text[number->key];
-  const char *comma = po_key_is_pair((po_key)number->key) ? strchr(whole, ',') : NULL;
-  char text[3 * PO_NUMBER_LENGTH], value[PO_NUMBER_LENGTH];
+  const char *place = number_at((po_key)number->key, whole, number->body);
+  char text[(PO_KEY_LIST_MOST + 1) * PO_NUMBER_LENGTH], value[PO_NUMBER_LENGTH];
   po_number_print(number->value + by, value);
-  snprintf(text, sizeof text, "%.*s%s%s", comma && number->body ? (int)(comma + 1 - whole) : 0,
-           whole, value, comma && !number->body ? comma : "");
+  snprintf(text, sizeof text, "%.*s%s%s", (int)(place - whole), whole, value,
+           po_key_is_list((po_key)number->key) ? place + strcspn(place, ",") : "");
   moved.text[number->key] = text;
   return maker(&moved, user, request);
+}
+
+/* Which number of a list an input is. */
+static const char *part_of(const po_uncertain_number *number, const char *text) {
+  static const char *const PARTS[] = {" of body 1", " of body 2", " of the interface"};
+  return po_key_is_list((po_key)number->key) && strchr(text, ',') ? PARTS[number->body] : "";
 }
 
 static po_status vary(po_uncertain_inputs *u, size_t k, const po_texts *given,
@@ -103,10 +116,7 @@ static po_status vary(po_uncertain_inputs *u, size_t k, const po_texts *given,
   po_status status = PO_OK;
   *v = (po_variation){.value = number->value, .deviation = number->deviation};
   po_texts_write_name(given, number->key, name);
-  snprintf(v->source, sizeof v->source, "%.28s%s", name + strspn(name, "-"),
-           !po_key_is_pair((po_key)number->key) || !strchr(text, ',') ? ""
-           : number->body                                             ? " of body 2"
-                                                                      : " of body 1");
+  snprintf(v->source, sizeof v->source, "%.28s%s", name + strspn(name, "-"), part_of(number, text));
   for (int more = 0; more < 2 && !status; ++more) {
     po_request *moved = &u->moved[2 * k + (size_t)more];
     const double by = PO_VARIATION_REACH * number->deviation;

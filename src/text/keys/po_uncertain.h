@@ -6,7 +6,7 @@
 
 typedef struct {
   int key;
-  int body; /* of two numbers with a comma between, 0 or 1 */
+  int body; /* of numbers with commas between, from 0 */
   double value, deviation;
 } po_uncertain_number;
 
