@@ -1,6 +1,7 @@
 """The pull-off of a series of scenes: the verb follow, and cases with the key `follow`. What is followed is compared with full
 traces in tests/unit/test_follow.c and test_follow_folds.c."""
 
+import fnmatch
 import json
 import pathlib
 import re
@@ -273,6 +274,20 @@ def test_printed_si_units():
     ended = expect(0, "", "follow --of folds --key distance-m --from 3e-10 --to 4e-10 --points 2 --radius-m 1e-7" + tip("distance-m"))
     assert ended.count(r"^jump_in +3e-10 +-0[.][0-9]* .* -[0-9.]* ")
     assert "units    lengths in nm, loads and forces in nN" in ended.out.splitlines()
+
+
+@pytest.mark.parametrize("varied, given, title, axis", [
+    ("radius-m --from 1e-8 --to 3e-8", "", "radius varies from 10 to 30 nm; the first scene: R = 10 nm, w = 50 mJ/m², E* = 2 GPa, ε = 0.3 nm", "radius (nm)"),
+    ("modulus-pa --from 4e8 --to 1e9", "--radius-m 1e-7", "modulus varies from 0.4 to 1 GPa; the first scene: *, E* = 400 MPa, *", "modulus (GPa)"),
+    ("work-j-per-m2 --from 0.05 --to 0.02", "--radius-m 1e-7", "work varies from 50 to 20 mJ/m²; the first scene: *", "work (mJ/m²)"),
+    ("unload-speed-m-per-s --from 1e-7 --to 2e-7", "--radius-m 1e-9 --viscoelastic sls:0.5 --relaxation-time-s 1e-3 --tolerance 1e-3",
+     "unload speed varies from 100 to 200 nm/s; the first scene: *", "unload speed (nm/s)")])
+def test_figure_in_si_units(varied, given, title, axis):
+    """The names of the options stood on the axis and in the title, and their values without a unit."""
+    expect(0, "", f"follow --key {varied} --points 2 {given} --plot figure.svg" + tip(varied.split()[0]))
+    texts = [text.strip() for text in re.findall(">([^<]+)<", pathlib.Path("figure.svg").read_text())]
+    assert any(fnmatch.fnmatchcase(text, title) for text in texts), texts
+    assert axis in texts and any(re.fullmatch(r"pull-off force \([pn]N\)", text) for text in texts), texts
 
 
 def test_one_warning_for_a_series_that_looks_like_metres():

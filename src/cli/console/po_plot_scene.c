@@ -55,18 +55,31 @@ po_status po_plot_show(po_plot_picture picture, const char *file) {
   return status;
 }
 
-/* The axis of the parameter that varies; lengths in SI units with a prefix. */
+/* The units at the end of the names of options, longer ones first, and as figures write them. */
+static const struct {
+  const char *end, *unit;
+} UNITS[] = {{"-j-per-m2", "J/m²"}, {"-m-per-s", "m/s"}, {"-pa", "Pa"}, {"-m", "m"}, {"-s", "s"}};
+enum { UNIT_COUNT = sizeof UNITS / sizeof *UNITS };
+
+/* The axis of the parameter that varies, whose name has words in place of dashes; in SI units with
+ * the prefix of its greatest value. */
 static po_plot_axis varied_axis(const po_plot_picture *picture, const po_printed_series *series) {
+  const double ends[] = {series->values[0], series->values[series->count - 1]};
   const size_t length = strlen(series->name);
-  const bool metres = length > 2 && strcmp(series->name + length - 2, "-m") == 0;
-  po_plot_axis axis =
-      po_plot_axis_of(picture, series->name, "", metres ? PO_DIMENSION_LENGTH : PO_DIMENSION_NONE);
-  if (metres) {
-    axis.factor /= picture->units->length;
-    axis.words[length - 2] = '\0';
+  po_plot_axis axis = po_plot_axis_of(picture, series->name, "", PO_DIMENSION_NONE);
+  for (size_t k = 0; picture->units && k < UNIT_COUNT; ++k) {
+    const size_t end = strlen(UNITS[k].end);
+    if (length <= end || strcmp(series->name + length - end, UNITS[k].end) != 0)
+      continue;
+    axis.words[length - end] = '\0';
+    const char *prefix = po_plot_prefix(fmax(fabs(ends[0]), fabs(ends[1])), &axis.factor);
+    snprintf(axis.in_figure, sizeof axis.in_figure, "%s%s", prefix, UNITS[k].unit);
+    snprintf(axis.in_letters, sizeof axis.in_letters, "%s", axis.in_figure);
+    break;
   }
-  axis.log = po_plot_is_log(fmin(series->values[0], series->values[series->count - 1]),
-                            fmax(series->values[0], series->values[series->count - 1]));
+  for (char *c = axis.words; picture->units && *c; ++c)
+    *c = *c == '-' ? ' ' : *c;
+  axis.log = po_plot_is_log(fmin(ends[0], ends[1]), fmax(ends[0], ends[1]));
   return axis;
 }
 
@@ -88,13 +101,19 @@ static void add_curve(po_plot_picture *picture, po_plot_series *to, const po_pri
 }
 
 po_plot_picture po_plot_of_series(const po_printed_series *series, bool folds) {
-  po_text caption = {0};
-  char *first = po_plot_caption(&series->requests[0]);
-  po_text_add(&caption, "%s varies; the first scene: %s", series->name, first ? first : "");
-  free(first);
-  po_plot_picture picture = po_plot_begin(caption.data, &series->requests[0]);
+  po_plot_picture picture =
+      po_plot_begin(po_plot_caption(&series->requests[0]), &series->requests[0]);
   po_plot_panel *panel = po_plot_add_panel(&picture);
   panel->x = varied_axis(&picture, series);
+  po_text caption = {0};
+  po_text_add(&caption, "%s varies", panel->x.words);
+  if (picture.units)
+    po_text_add(&caption, " from %.5g to %.5g %s", series->values[0] * panel->x.factor,
+                series->values[series->count - 1] * panel->x.factor, panel->x.in_figure);
+  po_text_add(&caption, "; the first scene: %s", picture.caption ? picture.caption : "");
+  free(picture.caption);
+  picture.caption = po_text_take(&caption);
+  picture.status = picture.caption ? picture.status : PO_NO_MEMORY;
   panel->y = folds ? po_plot_axis_of(&picture, "approach", "Δ", PO_DIMENSION_LENGTH)
                    : po_plot_axis_of(&picture, "pull-off force", "", PO_DIMENSION_LOAD);
   for (size_t k = 0; folds && k < series->results[0].fold_count; ++k)

@@ -78,6 +78,10 @@ typedef struct {
   po_status status;       /* PO_NO_MEMORY, or why there is nothing to plot */
 } po_plot_picture;
 
+/* Returned: the prefix of a unit, "n", for numbers up to the greatest; in *factor, what a number in
+ * the unit without the prefix is multiplied by. */
+const char *po_plot_prefix(double greatest, double *factor);
+
 /* Returned: the caption of a scene, to be freed: its command, or its input in SI units. NULL:
  * memory ran out. */
 char *po_plot_caption(const po_request *request);

@@ -18,21 +18,35 @@ const char *po_plot_load_unit(const char *load_unit) {
   return strcmp(load_unit, "pi w R") == 0 ? "πwR" : "πwε";
 }
 
-/* Appends a quantity with the prefix that fits it. */
-static void add_quantity(po_text *text, const char *symbol, double value, const char *unit) {
+/* Returned: the prefix with which a magnitude is not below `least`; in *factor, what the number is
+ * then multiplied by. */
+static const char *prefix_of(double value, double least, double *factor) {
   static const char *const PREFIX[] = {"a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
   enum { NONE = 6, LAST = sizeof PREFIX / sizeof *PREFIX - 1 };
   int k = NONE;
+  *factor = 1.0;
+  for (; k > 0 && fabs(value) * *factor < least; --k)
+    *factor *= 1e3;
+  for (; k < LAST && fabs(value) * *factor >= 999.99; ++k)
+    *factor /= 1e3;
+  return PREFIX[k];
+}
+
+const char *po_plot_prefix(double greatest, double *factor) {
+  return prefix_of(greatest, 0.99999, factor);
+}
+
+/* Appends a quantity with the prefix that fits it. */
+static void add_quantity(po_text *text, const char *symbol, double value, const char *unit) {
   /* 0.3 nm and 0.2 N/m, but 80 mJ/m² */
   const double least = strcmp(unit, "m") == 0     ? 0.099999
                        : strcmp(unit, "N/m") == 0 ? 0.0099999
                                                   : 0.99999;
-  for (; k > 0 && fabs(value) < least; --k)
-    value *= 1e3;
-  for (; k < LAST && fabs(value) >= 999.99; ++k)
-    value /= 1e3;
+  double factor;
+  const char *prefix = prefix_of(value, least, &factor);
   if (isfinite(value) && value != 0.0)
-    po_text_add(text, "%s%s = %.5g %s%s", text->length ? ", " : "", symbol, value, PREFIX[k], unit);
+    po_text_add(text, "%s%s = %.5g %s%s", text->length ? ", " : "", symbol, value * factor, prefix,
+                unit);
 }
 
 char *po_plot_caption(const po_request *request) {
