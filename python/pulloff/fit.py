@@ -4,8 +4,8 @@ instrument, with standard errors; beside it what JKR, DMT and Maugis-Dugdale mak
     python3 -m pulloff.fit CURVE.csv --radius-m R [--stiffness-n-per-m K] ...       (or: pulloff fit CURVE.csv ...)
 
 The model is the full traction-separation law, through the cantilever: both stable parts of the branch, apart and in contact, and the
-two jumps between them. The unknowns are ln w, ln eps, ln of the Tabor parameter, and the zeros of position and force; E* follows. No
-start is needed: for a series of Tabor parameters the others are found first, each by a search over the scale of lengths. Lengths are in
+two jumps between them. The unknowns are ln w, ln eps, ln of the Tabor parameter, and the zeros of position and force; E* follows. A
+baseline that drifts linearly with the position of the base is recognised, and its slope is one more unknown. No start is needed: for a series of Tabor parameters the others are found first, each by a search over the scale of lengths. Lengths are in
 nm and forces in nN here: 1 J/m2 = 1 nN/nm, 1 GPa = 1 nN/nm2. scipy is needed.
 """
 
@@ -33,6 +33,8 @@ LEAST_NOISE = 1e-4                     # relative to the depth of the curve: the
 SIGNIFICANT = 10                       # sum of squares by which a model has to be better
 BAD_FIT = 4                            # chi2/n of a model that does not describe the data
 UNKNOWN = 0.5                          # standard error of a logarithm above which the number is not known from the data
+CLEAR_SLOPE = 4                        # standard errors of the slope of a baseline that is fitted
+SPHERE_STEPS = 12                      # of the fit of a sphere, most of which is the solves of its branches
 LARGE_CONTACT = 0.3                    # contact radius over R, beyond which a paraboloid is no sphere
 
 
@@ -69,6 +71,32 @@ class Curve:
     @functools.cached_property
     def greatest(self):
         return float(max(self.into[1].max(), self.out[1].max()) - self.zero)
+
+    @functools.cached_property
+    def reference(self):
+        """The position at which a sloping baseline has the zero of the force: the middle of the halves that are far from the sample."""
+        return float(np.median(np.concatenate([position[:max(8, len(position) // 2)] for position, _ in (self.into, self.out)])))
+
+    @functools.cached_property
+    def baseline(self):
+        """Slope of these halves, the zero of each by itself, and its standard error by the noise. A half ends before a jump and
+        before the attraction bends it: it is shortened as long as a parabola finds a bend in it."""
+        jumps, ways = self.jumps(), []
+        for (position, force), jump in zip((self.into, self.out), jumps):
+            n = max(8, min(len(position) // 2, len(position) if jump is None else jump - BESIDE))
+            while n > 16:
+                (bend, *_), matrix = np.polyfit(position[:n] - position[:n].mean(), force[:n], 2, cov="unscaled")
+                if abs(bend) < CLEAR_SLOPE / 2 * self.noise * np.sqrt(matrix[0, 0]):
+                    break
+                n = int(0.8 * n)
+            ways.append((position[:n] - position[:n].mean(), force[:n]))
+        squares = sum(x @ x for x, _ in ways)
+        return sum(x @ y for x, y in ways) / squares, self.noise / np.sqrt(squares)
+
+    def levelled(self, slope) -> Curve:
+        """The curve without a slope of its baseline."""
+        ways = [(position, force - slope * (position - self.reference)) for position, force in (self.into, self.out)]
+        return Curve(*ways, self.notes)
 
     def jumps(self):
         """Indices of the last samples before the jumps into contact and out of it; None without a clear one. The way in jumps
@@ -109,9 +137,11 @@ def curve_of(position, force, position_out, force_out, stiffness=np.inf) -> Curv
 # -- The model --
 
 @functools.lru_cache(maxsize=256)
-def branch(tabor, load, tolerance=TOLERANCE):
-    """Approach, eps, load, pi w R, and contact radius, eps, along the branch up to a load."""
-    curve = pulloff.solve(tabor=tabor, want="curve", approach_start=-(60 + 2 * tabor), preload_load=load, tolerance=tolerance).curve
+def branch(tabor, load, tolerance=TOLERANCE, radius=None):
+    """Approach, eps, load, pi w R, and contact radius, eps, along the branch up to a load; of a sphere of this radius, eps, None: of a
+    paraboloid, whose branch does not depend on it."""
+    body = {} if radius is None else {"profile": f"exact_sphere:{radius!r}", "radius": radius}
+    curve = pulloff.solve(tabor=tabor, want="curve", approach_start=-(60 + 2 * tabor), preload_load=load, tolerance=tolerance, **body).curve
     at = curve["position"]
     dense = np.interp(np.linspace(0, len(at) - 1, 12 * len(at)), np.arange(len(at)), at)
     parts = [CubicHermiteSpline(at, curve[name], curve[name + "_rate"])(dense) for name in ("approach", "load")]
@@ -145,21 +175,24 @@ class Model:
     greatest: float   # force of the data, nN
     name: str = "solver"
     tolerance: float = TOLERANCE
+    sphere: bool = False    # the sphere itself, otherwise a paraboloid
 
     def load(self, work):
         """A load, pi w R, beyond all data: one of a few values, so that branches are used again."""
         return 2.0 ** np.ceil(np.log2(max(1.3 * self.greatest / (np.pi * work * self.radius), 0.25)))
 
+    def branch(self, tabor, work, eps):
+        return branch(tabor, self.load(work), self.tolerance, self.radius / eps if self.sphere else None)
+
     def states(self, tabor, work, eps):
         """Positions of the base and forces along the branch."""
-        load = self.load(work)
-        of = branch(tabor, load, self.tolerance) if self.name == "solver" else theory_branch(self.name, tabor, load)
+        of = self.branch(tabor, work, eps) if self.name == "solver" else theory_branch(self.name, tabor, self.load(work))
         force = np.pi * work * self.radius * of[1]
         return eps * of[0] + force / self.stiffness, force
 
     def parts(self, tabor, values):
         """The stable parts, apart and in contact, between which the base makes the contact jump."""
-        work, eps, _, z0, f0 = values
+        work, eps, _, z0, f0 = values[:5]
         position, force = self.states(tabor, work, eps)
         falls = np.flatnonzero(np.diff(position) < 0)
         jump_in, jump_out = (falls[0], falls[-1] + 1) if len(falls) else (0, 0)
@@ -180,8 +213,10 @@ def split(curve: Curve):
 
 
 def residuals(model: Model, tabor, values, curve: Curve, data, contact_only=False):
-    """Over their standard deviations, of the samples apart, of those in contact, of the two jumps."""
+    """Over their standard deviations, of the samples apart, of those in contact, of the two jumps. The sixth value is the slope of the
+    baseline of the data."""
     (far, near, jumps), (apart, contact) = data, model.parts(tabor, values)
+    far, near = ((z, f - values[5] * (z - curve.reference)) for z, f in (far, near))
     by_jump = (np.array([apart[0][-1], contact[0][0]]) - jumps) / (curve.spacing / np.sqrt(12))
     by_jump = by_jump[~np.isnan(jumps)] if not contact_only else by_jump[1:][~np.isnan(jumps[1:])]
     of = [(np.interp(near[0], *contact) - near[1]) / curve.noise, by_jump]
@@ -202,6 +237,9 @@ class Fit:
     chi2_contact: float
     count: int
     contact_radius: float = np.nan
+    slope: float = 0.0  # of the baseline, nN/nm, and its standard error; 0 and nan if it is level
+    slope_error: float = np.nan
+    sphere: bool = False  # of the full law: whether the body is the sphere itself
 
     @property
     def errors(self):
@@ -215,9 +253,9 @@ def modulus_of(model, tabor, work, eps):
 
 
 def values_of(model, x):
-    """From ln w, ln eps, ln mu, z0, f0."""
+    """From ln w, ln eps, ln mu, z0, f0, slope."""
     work, eps, tabor = np.exp(x[:3])
-    return tabor, np.array([work, eps, modulus_of(model, tabor, work, eps), x[3], x[4]])
+    return tabor, np.array([work, eps, modulus_of(model, tabor, work, eps), *x[3:]])
 
 
 def search(model, curve, data, tabor, contact_only):
@@ -235,16 +273,16 @@ def search(model, curve, data, tabor, contact_only):
         falls = np.flatnonzero(np.diff(position) < 0)
         stable = slice(falls[-1] + 1 if len(falls) else 0, None)
         z0 = curve.out[0][least] - position[stable][np.argmin(force[stable])]
-        values = np.array([work, eps, modulus_of(model, tabor, work, eps), z0, curve.zero])
+        values = np.array([work, eps, modulus_of(model, tabor, work, eps), z0, curve.zero, 0.0])
         cost = np.sum(np.minimum(np.abs(residuals(model, tabor, values, curve, data, contact_only)), 100))
         if cost < best[0]:
-            best = cost, np.array([np.log(work), np.log(eps), np.log(tabor), z0, curve.zero])
+            best = cost, np.array([np.log(work), np.log(eps), np.log(tabor), z0, curve.zero, 0.0])
     return best
 
 
 def refine(model, curve, data, start, free, contact_only=False, steps=None):
     """Least squares over some of the unknowns, in units in which each begins at 1."""
-    unit = np.array([0.1, 0.1, 0.3, max(curve.spacing, 0.1 * np.exp(start[1])), 3 * curve.noise])
+    unit = np.array([0.1, 0.1, 0.3, max(curve.spacing, 0.1 * np.exp(start[1])), 3 * curve.noise, 3 * curve.baseline[1]])
     free = np.array(free)
 
     def full(u):
@@ -255,39 +293,49 @@ def refine(model, curve, data, start, free, contact_only=False, steps=None):
     def miss(u):
         tabor, values = values_of(model, full(u))
         return residuals(model, tabor, values, curve, data, contact_only)
-    least = np.array([start[0] - np.log(8), start[1] - np.log(100), np.log(TABORS[0] / 2), -np.inf, -np.inf])
-    most = np.array([start[0] + np.log(8), start[1] + np.log(100), np.log(TABORS[-1] * 2), np.inf, np.inf])
+    least = np.array([start[0] - np.log(8), start[1] - np.log(100), np.log(TABORS[0] / 2), -np.inf, -np.inf, -np.inf])
+    most = np.array([start[0] + np.log(8), start[1] + np.log(100), np.log(TABORS[-1] * 2), np.inf, np.inf, np.inf])
     low, high = ((1 + (limit - start) / unit)[free] for limit in (least, most))
     found = least_squares(miss, np.ones(len(free)), bounds=(low, high), diff_step=0.02, x_scale="jac", max_nfev=steps, xtol=1e-6, ftol=1e-8)
     return full(found.x), found, unit[free]
 
 
 def covariance_of(found, unit, free):
-    """Of ln w, ln eps, ln E*, z0, f0."""
-    matrix = np.zeros((5, 5))
+    """Of ln w, ln eps, ln E*, z0, f0, slope."""
+    matrix = np.zeros((6, 6))
     curvature = found.jac.T @ found.jac
     spread = np.linalg.pinv(curvature, rcond=1e-14, hermitian=True)
     matrix[np.ix_(free, free)] = spread * np.outer(unit, unit) * 2 * found.cost / max(len(found.fun) - len(free), 1)
-    turn = np.eye(5)
-    turn[2] = [1, -1.5, -1.5, 0, 0]
+    turn = np.eye(6)
+    turn[2] = [1, -1.5, -1.5, 0, 0, 0]
     return turn @ matrix @ turn.T
 
 
 def finished(model, curve, data, x, found, unit, free):
     tabor, values = values_of(model, x)
     contact = residuals(model, tabor, values, curve, data, True)
-    fit = Fit(model.name, tabor, values, covariance_of(found, unit, free), 2 * found.cost / len(found.fun),
+    covariance = covariance_of(found, unit, free)
+    fit = Fit(model.name, tabor, values[:5], covariance[:5, :5], 2 * found.cost / len(found.fun),
               float(contact @ contact) / len(contact), len(found.fun))
+    if 5 in free:
+        fit.slope, fit.slope_error = float(values[5]), float(np.sqrt(covariance[5, 5]))
     if model.name == "solver":
-        _, load, radius = branch(tabor, model.load(values[0]))
+        _, load, radius = model.branch(tabor, values[0], values[1])
         fit.contact_radius = values[1] * float(np.interp(model.greatest / (np.pi * values[0] * model.radius), *(
             (load[np.argmin(load):], radius[np.argmin(load):]))))
     return fit
 
 
-def fit_curve(curve: Curve, radius: float, stiffness: float = np.inf) -> Fit:
-    """Fits the full law. Given: radius, nm, and stiffness of the lever, nN/nm. Raises NoFit."""
+def fit_curve(curve: Curve, radius: float, stiffness: float = np.inf, sloping: bool | None = None) -> Fit:
+    """Fits the full law. Given: radius, nm, and stiffness of the lever, nN/nm; whether the baseline slopes, None: if its slope is clear.
+    Raises NoFit."""
+    first, error = curve.baseline
+    if sloping is None:
+        sloping = abs(first) > CLEAR_SLOPE * error
+    first *= sloping
+    curve = curve.levelled(first)
     model, data = Model(radius, stiffness, curve.greatest), split(curve)
+    free = range(6) if sloping else range(5)
     if curve.zero - curve.out[1].min() < CLEAR_JUMP * curve.noise:
         raise NoFit("no attraction above the noise on the way out")
     if len(data[1][0]) < 8:
@@ -298,20 +346,54 @@ def fit_curve(curve: Curve, radius: float, stiffness: float = np.inf) -> Fit:
     for tabor in TABORS:
         cost, start = search(model, curve, data, tabor, False)
         if start is not None:
-            x, found, _ = refine(model, curve, data, start, [0, 1, 3, 4], steps=12)
+            x, found, _ = refine(model, curve, data, start, [k for k in free if k != 2], steps=12)
             tried.append((found.cost, x))
     if not tried:
         raise NoFit("no start was found")
     best = None
     tried.sort(key=lambda pair: pair[0])
     for _, start in [pair for pair in tried[:2] if pair[0] < 2 * tried[0][0]]:
-        x, found, unit = refine(model, curve, data, start, range(5), steps=40)
+        x, found, unit = refine(model, curve, data, start, free, steps=40)
         if best is None or found.cost < best[1].cost:
             best = x, found, unit
-    fit = finished(model, curve, data, *best, range(5))
+    fit = finished(model, curve, data, *best, free)
+    fit.slope += first
     if not np.all(np.isfinite(fit.values)) or not np.all(np.isfinite(fit.errors)):
         raise NoFit("no values of finite size describe the data")
     return fit
+
+
+def fit_sphere(curve: Curve, radius: float, stiffness: float, near: Fit) -> Fit:
+    """Fits the full law with the sphere itself. Given: the curve without a slope of its baseline, and the fit of the paraboloid, which
+    is the start. Raises NoFit."""
+    sloping = bool(np.isfinite(near.slope_error))
+    model, data = Model(radius, stiffness, curve.greatest, sphere=True), split(curve)
+    work, eps = near.values[:2]
+    for _ in range(3):  # the work that gives the depth of the curve, at the same modulus and range
+        tabor = (radius * work**2 / near.values[2]**2) ** (1 / 3) / eps
+        work *= max(curve.zero - curve.out[1].min(), 3 * curve.noise) / -model.states(tabor, work, eps)[1].min()
+    start = np.array([np.log(work), np.log(eps), np.log(tabor), *near.values[3:5], 0.0])
+    free = range(6) if sloping else range(5)
+    x, found, unit = refine(model, curve, data, start, free, steps=SPHERE_STEPS)
+    fit = finished(model, curve, data, x, found, unit, free)
+    fit.slope += near.slope
+    fit.sphere = True
+    if not np.all(np.isfinite(fit.values)) or not np.all(np.isfinite(fit.errors)):
+        raise NoFit("no values of finite size describe the data")
+    return fit
+
+
+def fit_shapes(curve: Curve, radius: float, stiffness: float = np.inf, sloping: bool | None = None) -> tuple[Fit, Fit | None]:
+    """Fits the full law of a paraboloid and, where its contact is large, that of the sphere itself. Returned: the fit that describes the
+    data better, and the other one; None: there is none. Raises NoFit."""
+    flat = fit_curve(curve, radius, stiffness, sloping)
+    if flat.contact_radius <= LARGE_CONTACT * radius:
+        return flat, None
+    try:
+        sphere = fit_sphere(curve.levelled(flat.slope), radius, stiffness, flat)
+    except (NoFit, pulloff.Error, ValueError):
+        return flat, None
+    return (sphere, flat) if sphere.chi2 <= flat.chi2 else (flat, sphere)
 
 
 def fit_theory(name: str, curve: Curve, radius: float, stiffness: float = np.inf) -> Fit:
@@ -425,7 +507,19 @@ def read_curve(path, columns: Sequence[str] | None = None, stiffness: float = np
 NAMES = ["w, J/m2", "range, nm", "E*, GPa", "zero position, nm", "zero force, nN"]
 
 
-def report(curve, full, theories, radius):
+def shape_of(full, other, radius):
+    """A line on the paraboloid that stands for a sphere, where the contact is large. Given: the fit with the other shape; None: there
+    is none."""
+    said = f"the contact radius reaches {full.contact_radius:.4g} nm, {full.contact_radius / radius:.2g} of the radius: "
+    if other is None:
+        return "warning     " + said + "the model is a paraboloid, and a sphere differs there"
+    work, modulus = 100 * (other.values[[0, 2]] / full.values[[0, 2]] - 1)
+    names = ("sphere itself", "paraboloid")
+    return (f"shape       {said}the {names[not full.sphere]} is fitted; with the {names[full.sphere]} w would change by {work:+.3g} % and E* by "
+            f"{modulus:+.3g} %, at chi2/n {other.chi2:.4g}")
+
+
+def report(curve, full, theories, radius, other=None):
     """Lines of text."""
     lines = [f"curve       {len(curve.into[0])} samples in and {len(curve.out[0])} out; noise {curve.noise:.3g} nN, spacing {curve.spacing:.3g} nm"]
     lines += [f"            {note}" for note in curve.notes]
@@ -438,6 +532,9 @@ def report(curve, full, theories, radius):
         cells = [f"{value:.5g} +- {error:.2g}" if show else "" for value, error, show in zip(fit.values, fit.errors, known)]
         lines.append(f"{fit.model if theory else 'full law':8}" + "".join(f"{cell:>26}" for cell in cells)
                      + ("" if theory else f" {fit.chi2:.4g}").rjust(10) + f" {fit.chi2_contact:.4g}".rjust(10))
+    if np.isfinite(full.slope_error):
+        lines.append(f"baseline    slope {1e3 * full.slope:.4g} +- {1e3 * full.slope_error:.2g} nN/um of the position of the base, removed; the zero of "
+                     f"the force is that at {curve.reference:.4g} nm")
     lines.append(f"tabor       {full.tabor:.4g}")
     if np.sqrt(full.covariance[1, 1]) > UNKNOWN:
         lines.append("range       not known from these data; the other values hardly depend on it")
@@ -448,9 +545,10 @@ def report(curve, full, theories, radius):
                                    f"not told by the part in contact, which {best.model} fits as well; a good fit does not make its w right"))
     if full.chi2 > BAD_FIT:
         lines.append(f"warning     chi2/n is {full.chi2:.3g}: the full law does not describe these data, and the errors are not to be relied on")
-    if full.contact_radius > LARGE_CONTACT * radius:
-        lines.append(f"warning     the contact radius reaches {full.contact_radius:.4g} nm, {full.contact_radius / radius:.2g} of the radius: the "
-                     "model is a paraboloid, and a sphere differs there")
+    if other is not None:
+        lines.append(shape_of(full, other, radius))
+    elif full.contact_radius > LARGE_CONTACT * radius:
+        lines.append(shape_of(full, None, radius))
     return lines
 
 
@@ -462,7 +560,7 @@ def draw(path, curve, fits, radius, stiffness):
         axes.plot(z - f / stiffness, f, ".", color=colour, markersize=3, label=label)
     limits = axes.axis()
     for fit, style in zip(fits, ("k-", "r--", "g:", "m-.")):
-        for part, label in zip(Model(radius, stiffness, curve.greatest, fit.model).parts(fit.tabor, fit.values),
+        for part, label in zip(Model(radius, stiffness, curve.greatest, fit.model, sphere=fit.sphere).parts(fit.tabor, fit.values),
                                (None, fit.model.replace("solver", "full law"))):
             if label or fit.model == "solver":
                 axes.plot(part[0] - part[1] / stiffness, part[1], style, linewidth=1, label=label)
@@ -472,16 +570,17 @@ def draw(path, curve, fits, radius, stiffness):
     figure.savefig(path, dpi=120)
 
 
-def document(curve, full, theories):
+def document(curve, full, theories, other=None):
     keys = ["work_j_per_m2", "distance_m", "modulus_pa", "position_of_contact_m", "zero_of_force_n"]
     units = [1.0, 1e-9, 1e9, 1e-9, 1e-9]
 
     def of(fit):
         names = {"solver": "full_law"}
-        return {"model": names.get(fit.model, fit.model.lower()), "chi2": fit.chi2, "chi2_in_contact": fit.chi2_contact, "tabor": fit.tabor,
+        return {"model": names.get(fit.model, fit.model.lower()), "shape": "sphere" if fit.sphere else "paraboloid", "chi2": fit.chi2, "chi2_in_contact": fit.chi2_contact, "tabor": fit.tabor,
                 **{key: value * unit for key, value, unit in zip(keys, fit.values, units)},
-                **{key + "_error": error * unit for key, error, unit in zip(keys, fit.errors, units)}}
-    return {"noise_n": curve.noise * 1e-9, "notes": curve.notes, "fits": [of(fit) for fit in (full, *theories)]}
+                **{key + "_error": error * unit for key, error, unit in zip(keys, fit.errors, units)},
+                **({"baseline_slope_n_per_m": fit.slope, "baseline_slope_n_per_m_error": fit.slope_error} if np.isfinite(fit.slope_error) else {})}
+    return {"noise_n": curve.noise * 1e-9, "notes": curve.notes, "fits": [of(fit) for fit in (full, *theories, *([] if other is None else [other]))]}
 
 
 def main(words=None):
@@ -492,6 +591,8 @@ def main(words=None):
                         "(default: positions are the approach)")
     parser.add_argument("--columns", help="names or numbers of position and force, or of position, way in and way out, with commas between")
     parser.add_argument("--units", help="units of these columns, with commas between (default: those in their names)")
+    parser.add_argument("--baseline", choices=("auto", "level", "sloping"), default="auto", help="whether the force far from the sample may "
+                        "drift linearly with the position of the base: its slope is then fitted (default auto: if it exceeds 4 standard errors)")
     parser.add_argument("--plot", help="draw the fits in this file: .svg, .png or .pdf")
     parser.add_argument("--json", action="store_true", help="print one JSON document")
     given = parser.parse_args(words)
@@ -500,13 +601,14 @@ def main(words=None):
     radius, stiffness = given.radius_m * 1e9, given.stiffness_n_per_m
     try:
         curve = read_curve(given.curve, given.columns and given.columns.split(","), stiffness, given.units and given.units.split(","))
-        full = fit_curve(curve, radius, stiffness)
+        full, other = fit_shapes(curve, radius, stiffness, {"level": False, "sloping": True}.get(given.baseline))
+        curve = curve.levelled(full.slope)
     except (NoFit, OSError, pulloff.Error) as error:
         print(f"pulloff: {error}", file=sys.stderr)
         return 4 if isinstance(error, OSError) else 3
     with np.errstate(all="ignore"):
         theories = [fit_theory(name, curve, radius, stiffness) for name in ("JKR", "DMT", "Maugis")]
-    print(json.dumps(document(curve, full, theories), indent=1) if given.json else "\n".join(report(curve, full, theories, radius)))
+    print(json.dumps(document(curve, full, theories, other), indent=1) if given.json else "\n".join(report(curve, full, theories, radius, other)))
     if given.plot:
         draw(given.plot, curve, (full, *theories), radius, stiffness)
     return 0

@@ -1,4 +1,5 @@
 #include <stdio.h>
+#include <string.h>
 
 #include "po_file.h"
 #include "po_number.h"
@@ -12,7 +13,9 @@ static const char HELP[] =
     "Finds work of adhesion, range of the attraction, modulus E* and the zeros of the instrument\n"
     "from a measured force curve of a sphere on a flat, with standard errors, by least squares\n"
     "with the full law: both stable parts of the branch and the two jumps between them. Finds its\n"
-    "start itself, for stiff and for soft samples. Beside it what JKR, DMT and Maugis-Dugdale "
+    "start itself, for stiff and for soft samples. Where the contact radius exceeds 0.3 of the\n"
+    "radius, also the sphere itself is fitted in place of the paraboloid. Beside it what JKR, DMT "
+    "and Maugis-Dugdale "
     "make\n"
     "of the part in contact, and whether the data prefer one. Needs Python with NumPy and SciPy.\n"
     "\n"
@@ -33,6 +36,10 @@ static const char HELP[] =
     "  --units UNITS           units of these columns, such as um,nN (default: those in their "
     "names,\n"
     "                          or in a line below the names)\n"
+    "  --baseline KIND         level; sloping: the force far from the sample drifts linearly with\n"
+    "                          the position of the base, and its slope is fitted; auto: sloping "
+    "if\n"
+    "                          the slope exceeds 4 standard errors (default auto)\n"
     "  --plot FILE             draw curve and fits in FILE, which ends in .svg, .png or .pdf "
     "(needs\n"
     "                          matplotlib)\n"
@@ -43,45 +50,48 @@ static const char HELP[] =
 
 typedef struct {
   double radius, stiffness;
-  const char *columns, *units, *plot;
+  const char *columns, *units, *baseline, *plot;
   bool json;
 } fit_line;
+
+static po_status take_baseline(const char *name, void *baseline) {
+  *(const char **)baseline = optarg;
+  return strcmp(optarg, "auto") == 0 || strcmp(optarg, "level") == 0 ||
+                 strcmp(optarg, "sloping") == 0
+             ? PO_OK
+             : po_options_refuse(name, optarg, "auto, level or sloping");
+}
 
 static const po_option OPTIONS[] = {
     PO_NUMBER("radius-m", fit_line, radius, 0.0, "a number > 0"),
     PO_NUMBER("stiffness-n-per-m", fit_line, stiffness, 0.0, "a number > 0"),
     PO_TEXT("columns", fit_line, columns, "two or three names or numbers"),
     PO_TEXT("units", fit_line, units, "two or three units"),
+    PO_TAKEN("baseline", fit_line, baseline, take_baseline),
     PO_TAKEN("plot", fit_line, plot, po_plot_take_file),
     PO_FLAG("json", fit_line, json),
     {0}};
 
-/* The arguments of the module. */
-enum { MOST_ARGUMENTS = 16 };
-
 static int run_fit(const fit_line *line, char *curve) {
   char radius[PO_NUMBER_LENGTH], stiffness[PO_NUMBER_LENGTH];
-  char *argv[MOST_ARGUMENTS] = {(char *)po_python(), "-m",  "pulloff.fit", curve,
-                                "--radius-m",        radius};
-  int count = 6;
   po_number_print(line->radius, radius);
   po_number_print(line->stiffness, stiffness);
-  if (line->stiffness > 0.0) {
-    argv[count++] = "--stiffness-n-per-m";
-    argv[count++] = stiffness;
-  }
-  if (line->columns) {
-    argv[count++] = "--columns";
-    argv[count++] = (char *)line->columns;
-  }
-  if (line->units) {
-    argv[count++] = "--units";
-    argv[count++] = (char *)line->units;
-  }
-  if (line->plot) {
-    argv[count++] = "--plot";
-    argv[count++] = (char *)line->plot;
-  }
+  const struct {
+    const char *option, *value; /* NULL: not given */
+  } items[] = {{"--radius-m", radius},
+               {"--stiffness-n-per-m", line->stiffness > 0.0 ? stiffness : NULL},
+               {"--columns", line->columns},
+               {"--units", line->units},
+               {"--baseline", line->baseline},
+               {"--plot", line->plot}};
+  enum { ITEMS = sizeof items / sizeof *items, BEFORE = 4 };
+  char *argv[BEFORE + 2 * ITEMS + 2] = {(char *)po_python(), "-m", "pulloff.fit", curve};
+  int count = BEFORE;
+  for (int k = 0; k < ITEMS; ++k)
+    if (items[k].value) {
+      argv[count++] = (char *)items[k].option;
+      argv[count++] = (char *)items[k].value;
+    }
   if (line->json)
     argv[count++] = "--json";
   return po_python_run(argv);

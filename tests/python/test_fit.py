@@ -13,19 +13,20 @@ from pulloff import fit
 
 PROGRAM = None
 STIFF = 30.0, 2.0, [0.08, 0.3, 5.0, 4.3, 0.25]      # radius, nm; stiffness, nN/nm; w, range, E*, zeros
+SPHERE = 45.0, np.inf, [0.05, 0.5, 0.0617, 2.0, 0.1]  # mu = 6.2; the contact radius reaches 0.63 of the radius
 SOFT = 45.0, np.inf, [0.05, 1.0, 1.58e-3, 104.0, -0.2]  # mu = 36
 
 
-def parts_of(case, greatest):
+def parts_of(case, greatest, sphere=False):
     radius, stiffness, values = case
     work, eps, modulus = values[:3]
     tabor = (radius * work**2 / (modulus**2 * eps**3)) ** (1 / 3)
-    return fit.Model(radius, stiffness, greatest, tolerance=1e-8).parts(tabor, np.array(values))
+    return fit.Model(radius, stiffness, greatest, tolerance=1e-8, sphere=sphere).parts(tabor, np.array(values))
 
 
-def measured(case, noise, spacing, farthest, greatest, seed=1):
+def measured(case, noise, spacing, farthest, greatest, seed=1, sphere=False):
     """Positions, and forces of both ways."""
-    apart, contact = parts_of(case, greatest)
+    apart, contact = parts_of(case, greatest, sphere)
     random = np.random.default_rng(seed)
     z = np.arange(farthest, np.interp(greatest, contact[1], contact[0]), spacing) + spacing * random.random()
     ways = [np.where(z <= apart[0][-1], np.interp(z, *apart), np.interp(z, *contact)),
@@ -55,6 +56,42 @@ def test_soft_sample():
     assert jkr.values[0] == pytest.approx(SOFT[2][0], rel=0.01) and jkr.values[2] == pytest.approx(SOFT[2][2], rel=0.01)
     lines = "\n".join(fit.report(curve, found, [jkr, fit.fit_theory("DMT", curve, *SOFT[:2])], SOFT[0]))
     assert "the model is a paraboloid" in lines and "which JKR fits as well" in lines
+
+
+def test_sloping_baseline():
+    """A drift of the deflection that is linear in the position is recognised by itself, fitted, and changes no other value beyond its
+    error; the branch of the model ends nearer to the sample than the data. A level baseline has no slope."""
+    slope, values = 3e-3, np.array(STIFF[2])
+    z, into, out = measured(STIFF, 0.04, 0.1, -60, 9)
+    level = fit.curve_of(z, into, z, out)
+    curve = fit.curve_of(z, into + slope * z, z, out + slope * z)
+    plain, found = fit.fit_curve(level, *STIFF[:2]), fit.fit_curve(curve, *STIFF[:2])
+    assert plain.slope == 0 and np.isnan(plain.slope_error)
+    assert abs(found.slope - slope) < 4 * found.slope_error < 1e-3
+    values[4] += slope * curve.reference
+    check(found, (*STIFF[:2], values))
+    assert np.all(np.abs(found.values[:4] - plain.values[:4]) < 2 * plain.errors[:4])
+    assert np.all(found.errors[:3] < 2 * plain.errors[:3])
+    line = next(line for line in fit.report(curve.levelled(found.slope), found, [fit.fit_theory("JKR", curve.levelled(found.slope), *STIFF[:2])], STIFF[0])
+                if line.startswith("baseline"))
+    assert float(line.split()[2]) == pytest.approx(1e3 * found.slope, rel=1e-3) and line.split()[5] == "nN/um"
+    ignored = fit.fit_curve(curve, *STIFF[:2], False)
+    assert ignored.slope == 0 and ignored.chi2 > 1.5 * found.chi2
+
+
+def test_sphere_itself(tmp_path):
+    """Where the contact is large, the values of the sphere are found; those of the paraboloid are off by many errors."""
+    z, into, out = measured(SPHERE, 0.05, 0.1, -30, 10, sphere=True)
+    curve = fit.curve_of(z, into, z, out)
+    full, other = fit.fit_shapes(curve, *SPHERE[:2])
+    check(full, SPHERE)
+    assert full.sphere and not other.sphere and full.contact_radius > 0.6 * SPHERE[0]
+    assert other.values[0] < SPHERE[2][0] - 20 * other.errors[0] and other.chi2 > full.chi2 + 0.1
+    lines = fit.report(curve, full, [fit.fit_theory("JKR", curve, *SPHERE[:2])], SPHERE[0], other)
+    [shape] = [line for line in lines if line.startswith("shape")]
+    assert "the sphere itself is fitted; with the paraboloid w would change by -6" in shape
+    assert fit.shape_of(other, full, SPHERE[0]).count("the paraboloid is fitted; with the sphere itself w would change by +6")
+    assert [one["shape"] for one in fit.document(curve, full, [], other)["fits"]] == ["sphere", "paraboloid"]
 
 
 def test_curve_without_hysteresis():
@@ -102,6 +139,7 @@ def test_loop_of_the_program(tmp_path):
 @pytest.mark.parametrize("code, message, words", [
     (2, "pulloff: no curve is named: expected the name of a file", "fit"),
     (2, "pulloff: --radius-m is missing: expected the radius of the sphere, m", "fit flat.csv"),
+    (2, "pulloff: --baseline is flat: expected auto, level or sloping", "fit flat.csv --radius-m 1e-8 --baseline flat"),
     (4, "pulloff: none.csv does not exist: expected a table", "fit none.csv --radius-m 1e-8"),
     (3, "pulloff: a deflection needs the stiffness of the lever", "fit lever.csv --radius-m 1e-8"),
     (3, "pulloff: no attraction above the noise on the way out", "fit flat.csv --radius-m 1e-8"),
