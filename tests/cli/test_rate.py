@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import math
+import pathlib
 import re
 
 import pytest
@@ -266,6 +267,29 @@ def test_theories_of_other_bodies_are_refused():
 
 
 BODY = "time_ms,modulus_mpa\n0.1,5\n10,4\ninf,1\n"
+
+
+IN_SI = "solve --from-physical --work-j-per-m2 1e-3 --distance-m 1e-9 --radius-m 1e-9 --unload-speed-m-per-s inf --tolerance 1e-3 --viscoelastic prony:body.csv"
+
+
+@pytest.mark.parametrize("table, relaxed, modulus", [
+    (BODY, 1e6, 1e6), (BODY, 1e6, 2e9), (BODY, 1e6, 1e3), (BODY.replace("mpa", "kPa"), 1e3, 2e6), (BODY.replace("mpa", "GPa"), 1e9, 1e6),
+    ("time_s,compliance_per_mpa\n0,1e-3\n1,0.999\n", 1e6, 5e6), ("time_s,compliance_per_gpa\n0,1\n1,999\n", 1e6, 1e6)])
+def test_moduli_of_a_table_beside_that_of_the_scene(tmp_path, monkeypatch, table, relaxed, modulus):
+    """Of the table only ratios are used. One in another unit, or of another material, was taken silently. Young's modulus, the
+    shear modulus and two bodies of the material are from 1/4 to 2 times the contact modulus."""
+    monkeypatch.chdir(tmp_path)
+    pathlib.Path("body.csv").write_text(table)
+    if relaxed == modulus:
+        document(f"{IN_SI} --modulus-pa {modulus!r}")
+        return
+    expect(2, f"pulloff: --viscoelastic is prony:body.csv: expected a relaxed modulus from 1/4 to 2 times the contact modulus of the scene, "
+           f"{modulus:.4g} Pa; in the table it is {relaxed:.4g} Pa. A column without a unit has ratios alone", f"{IN_SI} --modulus-pa {modulus!r}")
+    pathlib.Path("own.yaml").write_text("name: own\ntitle: A table\nsuites: [own]\nwant: [pull_off]\nscene: {scheme: panel, viscoelastic: 'prony:body.csv', "
+                                        f"unload_speed: .inf, physical: {{modulus_pa: {modulus!r}, work_j_per_m2: 1e-3, distance_m: 1e-9, radius_m: 1e-9}}}}\n")
+    expect(2, "*own.yaml:*viscoelastic is *: expected a relaxed modulus from 1/4 to 2 times *", "plan own.yaml")
+    pathlib.Path("body.csv").write_text(re.sub("(modulus|compliance)_[a-zA-Z_]+", r"\1", table))  # ratios alone
+    expect(0, "", "plan own.yaml")
 
 
 def test_a_table_of_a_material_is_known_by_its_content(tmp_path):

@@ -75,6 +75,10 @@ bool po_creep_is_in_seconds(const po_creep *creep) {
   return creep->table && creep->table->in_seconds;
 }
 
+double po_creep_relaxed(const po_creep *creep) {
+  return creep->table ? creep->table->relaxed : (double)NAN;
+}
+
 /* Spacing of the trapezoidal rule in u = ln(tau): its error goes as exp(-pi^2/SPACING), 2e-11, as
  * the integrand exp(n u - e^u - t e^-u) is analytic for |Im u| < pi/2. The spectrum ends where
  * tau^n exp(-tau) is 1e-12 of its integral, and at times shorter than SHORTEST of the duration. */

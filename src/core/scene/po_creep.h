@@ -56,6 +56,10 @@ const char *po_creep_file(const po_creep *creep);
 /* Returned: whether the times of a material are in s, so that tau_0 is 1 s. */
 bool po_creep_is_in_seconds(const po_creep *creep);
 
+/* The relaxed modulus of a table whose weights have a unit, modulus_mpa or compliance_per_gpa, Pa:
+ * Young's modulus, the shear modulus or another one, as the table does not say; NAN otherwise. */
+double po_creep_relaxed(const po_creep *creep);
+
 /* One retardation time, and its weight (1 - k) w_m. */
 typedef struct {
   double time, weight;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "po_csv.h"
 #include "po_file.h"
@@ -79,7 +80,11 @@ void po_creep_of_modulus(double relaxed, const po_creep_terms *modulus,
 
 static const char *const WANTED[] = {"time", NULL};
 
-/* A weight needs no size of its unit, since only ratios matter. */
+/* The units of weights whose size is known, of a modulus and, with "per" before, of a compliance.
+ * Of others only ratios matter. */
+static const po_column_unit WEIGHTS[] = {{"_pa", 1.0}, {"_kpa", 1e3}, {"_mpa", 1e6}, {"_gpa", 1e9}};
+enum { WEIGHT_COUNT = sizeof WEIGHTS / sizeof *WEIGHTS };
+
 static const po_column_unit TIMES[] = {{"", 1.0},     {"_s", 1.0},    {"_ms", 1e-3}, {"_us", 1e-6},
                                        {"_ns", 1e-9}, {"_min", 60.0}, {"_h", 3600.0}};
 enum { TIME_COUNT = sizeof TIMES / sizeof *TIMES };
@@ -209,7 +214,19 @@ static po_status find_constant(const columns *c, const po_creep_terms *terms, do
                        c->csv->path, sum, what);
 }
 
-static po_status read_terms(const columns *c, po_creep_terms *terms) {
+/* The modulus, Pa, that a relaxed weight is; NAN: its unit is not known. */
+static double in_pascal(const columns *c, double relaxed) {
+  const char *unit = strchr(c->csv->columns[c->weight], '_');
+  if (unit && !c->of_modulus)
+    unit = strncasecmp(unit, "_per", strlen("_per")) == 0 ? unit + strlen("_per") : NULL;
+  for (int k = 0; unit && k < WEIGHT_COUNT; ++k)
+    if (strcasecmp(unit, WEIGHTS[k].name) == 0)
+      return c->of_modulus ? relaxed * WEIGHTS[k].size : WEIGHTS[k].size / relaxed;
+  return NAN;
+}
+
+/* Returned: the terms; in *modulus that of the relaxed body, Pa. */
+static po_status read_terms(const columns *c, po_creep_terms *terms, double *modulus) {
   po_creep_terms read;
   double constant;
   po_status status = read_rows(c, &read, &constant);
@@ -219,6 +236,7 @@ static po_status read_terms(const columns *c, po_creep_terms *terms) {
     return status;
   if (c->of_modulus) {
     po_creep_of_modulus(constant, &read, terms);
+    *modulus = in_pascal(c, constant);
   } else {
     double relaxed = constant;
     for (size_t m = 0; m < read.count; ++m)
@@ -227,6 +245,7 @@ static po_status read_terms(const columns *c, po_creep_terms *terms) {
     terms->instant = constant / relaxed;
     for (size_t m = 0; m < read.count; ++m)
       terms->term[m].weight /= relaxed;
+    *modulus = in_pascal(c, relaxed);
   }
   for (size_t m = 0; m < terms->count; ++m)
     if (!isfinite(terms->term[m].time) || !isnormal(terms->term[m].weight))
@@ -251,7 +270,7 @@ static po_status make(const char *path, const columns *c, po_creep_table **made)
   t->path = po_copy_text(path);
   t->in_seconds = c->in_seconds;
   memcpy(t->digest, c->csv->digest, sizeof t->digest);
-  const po_status status = t->path ? read_terms(c, &t->terms) : PO_NO_MEMORY;
+  const po_status status = t->path ? read_terms(c, &t->terms, &t->relaxed) : PO_NO_MEMORY;
   if (status)
     free_table(t);
   else

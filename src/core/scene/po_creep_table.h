@@ -13,6 +13,7 @@ typedef struct po_creep_table {
   char *path;                    /* as given */
   char digest[PO_DIGEST_LENGTH]; /* of the content */
   bool in_seconds;               /* the times have a unit: tau_0 is 1 s */
+  double relaxed;                /* modulus, Pa; NAN: the weights have no unit of a modulus */
   po_creep_terms terms;
   uint64_t pipe; /* po_path_pipe; 0: a file */
   struct po_creep_table *next;

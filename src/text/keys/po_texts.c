@@ -376,6 +376,26 @@ static void set_usual_units(po_request *request) {
   request->units.usual_force = request->units.force * po_scene_load_unit(&solved);
 }
 
+/* The contact modulus over the relaxed modulus of a table. It is 1/(1 - nu^2) of Young's modulus
+ * and 2/(1 - nu) of the shear modulus, from 1 to 4, and half of that if both bodies are of the
+ * material; with a tenth to spare for the digits of both. */
+static const double LEAST_MODULUS_RATIO = 0.45, GREATEST_MODULUS_RATIO = 4.4;
+
+/* Refuses a table of moduli in another range than the modulus of the scene, of which only the
+ * ratios would be used: a slip of the unit, or another material. */
+static po_status check_material(po_texts *given, const po_request *request) {
+  const double relaxed = po_creep_relaxed(&request->creep);
+  const double modulus = po_scene_stiffness(&request->scene) * request->units.tension;
+  if (!request->in_si || isnan(relaxed) || !isfinite(modulus) ||
+      (modulus >= LEAST_MODULUS_RATIO * relaxed && modulus <= GREATEST_MODULUS_RATIO * relaxed))
+    return PO_OK;
+  return refuse(
+      given, PO_KEY_VISCOELASTIC,
+      "a relaxed modulus from 1/4 to 2 times the contact modulus of the scene, %.4g Pa; in "
+      "the table it is %.4g Pa. A column without a unit has ratios alone",
+      modulus, relaxed);
+}
+
 po_status po_texts_read(po_texts *given, po_request *request) {
   po_status status = check_pairs(given);
   if (!status)
@@ -396,6 +416,8 @@ po_status po_texts_read(po_texts *given, po_request *request) {
     status = set_in_si(given, request);
   if (!status && request->in_si)
     set_usual_units(request);
+  if (!status)
+    status = check_material(given, request);
   return status ? status : check_idle(given, request);
 }
 
