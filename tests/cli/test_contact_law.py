@@ -179,6 +179,50 @@ def test_lammps():
     assert "the whole law" in expect(0, "", "contact-law --tabor 0.37 --format lammps").out
 
 
+LAMMPS = """
+units lj
+atom_style atomic
+atom_modify map array
+boundary f f f
+region box block -400 400 -400 400 -400 400
+create_box 1 box
+create_atoms 1 single 0 0 0
+create_atoms 1 single 100 0 0
+mass 1 1
+neighbor 1 bin
+PAIR
+variable distance equal x[2]
+variable force equal fx[2]
+thermo_style custom v_distance v_force pe
+thermo_modify format float %.15g norm no
+"""
+
+
+@pytest.mark.skipif(not shutil.which("lmp"), reason="LAMMPS is not installed (Debian's package lammps)")
+@pytest.mark.parametrize("tabor", [2.385, 0.37])
+def test_two_particles_of_lammps(tabor):
+    """LAMMPS reads the file with the two lines that it names, and two particles have force and energy of the table: it interpolates
+    linearly in the square of the distance. The cutoff was rounded to 10 digits, beyond the last row, and the file was refused."""
+    text = expect(0, "", f"contact-law --tabor {tabor} --radius 41 --format lammps --name PAIR").out
+    pathlib.Path("pair.table").write_text(text)
+    lines = text.splitlines()
+    commands = [line[2:].replace("FILE", "pair.table") for line in lines if line.startswith("# pair_")]
+    rows = [[float(cell) for cell in line.split()] for line in lines[lines.index("PAIR") + 3:]]
+    deepest = min(range(len(rows)), key=lambda k: rows[k][3])
+    chosen = [rows[k] for k in (10, 300, deepest - 12, 4000, 9000)]  # LAMMPS rounds the jump off
+    runs = [f"set atom 2 x {distance!r}\nrun 0" for _, distance, _, _ in chosen]
+    pathlib.Path("in.pair").write_text("\n".join([LAMMPS.replace("PAIR", "\n".join(commands)), *runs]) + "\n")
+    done = subprocess.run(["lmp", "-in", "in.pair", "-log", "none"], capture_output=True, text=True)
+    assert len(commands) == 2 and done.returncode == 0, done.stdout + done.stderr
+    said = done.stdout.splitlines()
+    found = [[float(cell) for cell in said[k + 1].split()] for k, line in enumerate(said) if line.split()[:1] == ["v_distance"]]
+    assert len(found) == len(chosen)
+    for (distance, force, energy), (_, row_distance, row_energy, row_force) in zip(found, chosen):
+        assert distance == pytest.approx(row_distance, rel=1e-12)
+        assert force == pytest.approx(row_force, rel=1e-4, abs=1e-4) and energy == pytest.approx(row_energy, rel=1e-4, abs=1e-4)
+    assert any(row[3] > 1 for row in chosen) and any(row[3] < -0.9 for row in chosen), chosen
+
+
 COLLIDE = r"""
 #include <stdio.h>
 #include <stdlib.h>

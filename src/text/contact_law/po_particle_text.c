@@ -336,10 +336,11 @@ static po_status add_lammps(const po_particle_text *t, po_text *text) {
         jump * u.length, (high - low) / (ROWS - 1) * u.length);
   else
     po_text_add(text, "# This table is the whole law: loading and unloading have the same path.\n");
-  po_text_add(text, "# pair_style table linear %d\n# pair_coeff 1 1 FILE %s %.10g\n\n", ROWS,
-              t->name, high * u.length);
   po_number_print(low * u.length, number[0]);
   po_number_print(high * u.length, number[1]);
+  /* LAMMPS refuses a cutoff beyond the last row, as one that is rounded may be */
+  po_text_add(text, "# pair_style table linear %d\n# pair_coeff 1 1 FILE %s %s\n\n", ROWS, t->name,
+              number[1]);
   po_text_add(text, "%s\nN %d R %s %s\n\n", t->name, ROWS, number[0], number[1]);
   for (int k = 0; k < ROWS; ++k) {
     const double r = low + (high - low) * k / (ROWS - 1);
