@@ -4,6 +4,7 @@
 
 #include "po_creep.h"
 #include "po_elementary.h"
+#include "po_march_internal.h"
 #include "po_solve.h"
 #include "request.h"
 #include "run.h"
@@ -252,6 +253,43 @@ LOOP_TEST(energy_is_balanced_and_dissipation_is_positive, 0, 3) {
   ck_assert_double_gt(result.rate.end.energy.dissipated, 0.1);
   ck_assert_uint_eq(result.rate.jumps, _i > 0);
   po_result_clear(&result);
+}
+
+/* One factorisation served thousands of steps, and each accepted a hundred times the noise of the
+ * one before: near a fold the states were no equilibria, the balance missed 3e-3 and the force
+ * 2e-4. */
+TEST(factors_of_many_steps_leave_equilibria) {
+  po_request request =
+      rate_of(0.947335, 1.43778, 5.8996, (po_creep){PO_CREEP_GAMMA, 0.269658, 0.142752}, 86.646);
+  request.scene.wavelength = 39.2869;
+  request.stiffness = 0.693443;
+  request.mesh.tolerance = 1e-8;
+  po_result result = solved(&request);
+  ck_assert_double_lt(result.rate.imbalance, 1e-5);
+  ck_assert_double_eq_tol(result.pull_off.force, 3.83586, 1.1e-5); /* with a tolerance of 1e-7 */
+  po_result_clear(&result);
+}
+
+/* After a motion at frozen creep that was no jump, `held` is at the position of the next state. The
+ * parabola through them divided by 0: the pull-off force was infinite, and the status ok. */
+TEST(a_maximum_beside_a_motion_is_a_recorded_state) {
+  for (int late = 0; late < 2; ++late) {
+    po_march_record records[] = {{{.moved = 1.0, .load = -1.0}, false, 1e-3},
+                                 {{.moved = 1.1, .load = -2.0}, false, 1e-3},
+                                 {{.moved = 1.2, .load = -3.0}, false, 1e-3}};
+    po_march march = {.phase = PO_UNLOADING, .records = records, .count = 3};
+    march.options.stiffness = NAN;
+    march.before.point = records[late ? 2 : 1].point; /* late: the motion led to the last record */
+    march.held.point = records[2].point;
+    march.next.point = (po_rate_point){.moved = 1.3, .load = -2.5};
+    if (!late)
+      march.held.point = march.next.point;
+    ck_assert(po_march_watch_peak(&march, false) == PO_OK);
+    const po_march_peak peak = po_march_greatest_tension(&march);
+    ck_assert(peak.found);
+    ck_assert_double_eq(peak.at.load, -3.0);
+    ck_assert_double_eq(peak.at.moved, 1.2);
+  }
 }
 
 /* Values of the independent solver of reference/make/unloading.py, with its digits: a body of one

@@ -80,8 +80,12 @@ void po_equilibrium_measure_noise(po_equilibrium *e, const double *state) {
   double noise = 0.0;
   for (size_t j = 0; j < n; ++j)
     noise = greater(noise, fabs(change[j]) / po_law_size(law, state[j]));
-  e->noise = noise;
+  e->noise = e->measured_noise = noise;
   e->gain = noise / part;
+}
+
+void po_equilibrium_reset_noise(po_equilibrium *e) {
+  e->noise = e->measured_noise;
 }
 
 /* The largest error of Eq 15 relative to 1 + its terms without the deflection. */

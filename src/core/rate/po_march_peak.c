@@ -90,6 +90,17 @@ static void note_peak(po_march *m, const po_rate_point *point) {
     m->peak = (po_march_peak){.at = *point, .found = true, .jumps = m->jumps};
 }
 
+/* Whether the last two states of the record are `before` and `held`. After a jump, and after a
+ * motion at frozen creep that turned out to be none, `held` is a state of the motion, at the same
+ * position of the base as the one that follows: no parabola leads through them, and no step from
+ * there to the maximum. Just before a motion the steps are so short that the state is the maximum.
+ */
+static bool are_recorded(const po_march *m) {
+  const po_march_record *last = m->records + m->count - 1;
+  return m->held.point.moved == last[0].point.moved &&
+         m->before.point.moved == last[-1].point.moved;
+}
+
 po_status po_march_watch_peak(po_march *m, bool jumped) {
   const po_march_record *last = m->records + m->count - 1;
   if (m->phase != PO_UNLOADING)
@@ -98,11 +109,16 @@ po_status po_march_watch_peak(po_march *m, bool jumped) {
     note_peak(m, &last->point);
     return PO_OK;
   }
-  const po_rate_point before = m->before.point, middle = m->held.point, after = m->next.point;
-  if (m->count - m->first[m->phase] < 2 || last->jumped || !(middle.load < 0.0) ||
-      !(middle.load <= before.load) || !(middle.load < after.load) ||
+  if (m->count - m->first[m->phase] < 2)
+    return PO_OK;
+  const po_rate_point before = last[-1].point, middle = last->point, after = m->next.point;
+  if (!(middle.load < 0.0) || !(middle.load <= before.load) || !(middle.load < after.load) ||
       (m->peak.found && middle.load > m->peak.at.load))
     return PO_OK;
+  if (!are_recorded(m)) {
+    note_peak(m, &middle);
+    return PO_OK;
+  }
   po_march_exchange(&m->next, &m->after);
   const po_status status = find_peak(m, &before, &middle, &after);
   po_march_exchange(&m->next, &m->after);

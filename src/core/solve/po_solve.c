@@ -94,10 +94,10 @@ void po_work_add(const po_work *more, po_work *work) {
                                                                            : more->factorized_nodes;
 }
 
-/* Whether the scheme estimates errors and did not find that of the pull-off force. */
+/* Whether the scheme estimates errors and did not find that of the pull-off force, or no force. */
 static bool is_unsure(const po_request *request, const po_result *result) {
   return request->mesh.scheme == PO_PANEL && !result->rigid && result->has_pull_off &&
-         isnan(result->pull_off.force_error);
+         (isnan(result->pull_off.force_error) || !isfinite(result->pull_off.force));
 }
 
 /* The part of the estimated error of the pull-off force that finer panels reduce, relative to the
