@@ -267,6 +267,17 @@ static po_result solved_after(po_request request, double load) {
   return o;
 }
 
+/* Messages had approaches in units of the greater range: -32.009. */
+TEST(messages_have_lengths_of_the_true_range) {
+  po_request request = request_of(1e3, 1e6, 30.0, 2e4);
+  request.preload = (po_preload){-1800.0, NAN};
+  request.range = PO_RANGE_REDUCED;
+  po_result result;
+  ck_assert_int_eq(po_solve(&request, &result), PO_NOT_FOUND);
+  ck_assert_msg(strstr(result.reason, "approach -1800"), "%s", result.reason);
+  po_result_clear(&result);
+}
+
 /* Folds of the unstable equilibria between two jumps of loading, dozens with each range, are passed
  * by two traces only: the scene was not solved in 20 s when each range was traced. */
 TEST(takes_few_points) {

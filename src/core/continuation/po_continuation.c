@@ -186,7 +186,7 @@ static po_status start(po_continuation *t) {
     return status;
   if (status)
     return po_fail(status, "no equilibrium was found at the start of the trace, approach %g",
-                   approach);
+                   approach * po_scene_length_unit(e->scene));
   po_solution_finish(p, e);
   e->factorized = false; /* their border is the approach, not the arclength functional */
   return po_corrector_want_mesh(&t->c, p);
@@ -211,13 +211,14 @@ static po_status go_on(po_continuation *t) {
     const bool returned = !status && is_back(t);
     if (returned && !t->back)
       status = po_fail(PO_NOT_CONVERGED, "the branch returned to its beginning, at approach %.6g",
-                       po_solution_approach(&t->next));
+                       po_solution_approach(&t->next) * po_scene_length_unit(t->c.e->scene));
     if (!status)
       po_continuation_visit_step(t);
     if (!status && ++t->points > t->options.most_points)
       status =
           po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",
-                  t->options.most_points, po_solution_approach(&t->next),
+                  t->options.most_points,
+                  po_solution_approach(&t->next) * po_scene_length_unit(t->c.e->scene),
                   t->next.load * po_scene_load_unit(t->c.e->scene));
     t->ended = t->ended || returned;
     shift(t);

@@ -357,7 +357,7 @@ static po_status stuck(const po_continuation *t) {
   }
   return po_fail(PO_STEP_TOO_SMALL,
                  "the continuation failed with the shortest step at approach %.6g, load %.6g%s",
-                 po_solution_approach(&t->current),
+                 po_solution_approach(&t->current) * po_scene_length_unit(t->c.e->scene),
                  t->current.load * po_scene_load_unit(t->c.e->scene), why);
 }
 

@@ -346,7 +346,8 @@ po_status po_follow_to(po_follower *f, double at) {
           PO_OUT_OF_TIME,
           "the time limit was reached before the special point was followed to the scene; it is at "
           "approach %.6g, load %.6g",
-          f->value[0], f->value[1] * po_scene_load_unit(&f->scene));
+          f->value[0] * po_scene_length_unit(&f->scene),
+          f->value[1] * po_scene_load_unit(&f->scene));
     if (stopped)
       return stopped;
     const double most = f->count == 1 ? fmin(f->step, FIRST_PART * fabs(whole)) : f->step;
@@ -368,7 +369,8 @@ po_status po_follow_to(po_follower *f, double at) {
         return po_fail(
             PO_NOT_FOUND,
             "the special point at approach %.6g, load %.6g ends before the scene is reached",
-            f->value[0], f->value[1] * po_scene_load_unit(&f->scene));
+            f->value[0] * po_scene_length_unit(&f->scene),
+            f->value[1] * po_scene_load_unit(&f->scene));
       f->step = (f->count == 1 ? 0.1 : 0.5) * fabs(step);
       continue;
     }

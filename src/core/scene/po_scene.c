@@ -183,6 +183,10 @@ double po_scene_load_unit(const po_scene *scene) {
   return scene->load_unit > 0.0 ? scene->load_unit : 1.0;
 }
 
+double po_scene_length_unit(const po_scene *scene) {
+  return scene->length_unit > 0.0 ? scene->length_unit : 1.0;
+}
+
 double po_scene_coupling(const po_scene *scene) {
   return scene->tabor * sqrt(scene->tabor / scene->radius);
 }

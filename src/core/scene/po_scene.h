@@ -34,8 +34,9 @@ typedef struct {
   double outer_radius; /* r_max/eps, where the half-space ends; INFINITY: unbounded */
   po_law law;          /* Lennard-Jones unless it is set */
   po_profile profile;  /* the sphere unless it is set */
-  double load_unit;  /* inside a solve, pi w R of this scene in that of the scene asked for; 0: 1 */
-  size_t more_waves; /* number of further waves */
+  double load_unit; /* inside a solve, pi w R of this scene in that of the scene asked for; 0: 1 */
+  double length_unit; /* the same of eps: of a greater range of the attraction */
+  size_t more_waves;  /* number of further waves */
   po_wave more[PO_MOST_WAVES - 1];
 } po_scene;
 
@@ -82,8 +83,9 @@ double po_scene_decay(const po_scene *scene);
 /* The initial gap, eps, from which on the interaction is that of the far field. */
 double po_scene_reach(const po_scene *scene);
 
-/* The factor of a load in messages, see po_load_unit.h. */
+/* The factors of a load and of a length in messages, see po_load_unit.h and po_reduced.h. */
 double po_scene_load_unit(const po_scene *scene);
+double po_scene_length_unit(const po_scene *scene);
 
 /* The coupling c = w/(E* eps) = mu^(3/2)/sqrt(R/eps). */
 double po_scene_coupling(const po_scene *scene);

@@ -201,10 +201,11 @@ static bool only_searches(const po_collector *r) {
 }
 
 po_status po_collector_stop(po_collector *r, po_status why, double approach, double load) {
+  const double length = po_scene_length_unit(&r->request->scene);
   if (why == PO_INTERRUPTED && isnan(approach))
     return po_fail(why, "interrupted before the first point");
   if (why == PO_INTERRUPTED)
-    return po_fail(why, "interrupted at approach %.6g", approach);
+    return po_fail(why, "interrupted at approach %.6g", approach * length);
   if (only_searches(r)) {
     r->result->ended.cause = PO_END_SEARCHED;
     return PO_OK;
@@ -213,7 +214,8 @@ po_status po_collector_stop(po_collector *r, po_status why, double approach, dou
     return po_fail(why, "after %g s of processor time the trace has no point yet",
                    r->request->time_limit);
   return po_fail(why, "after %g s of processor time the trace is at approach %.6g, load %.6g",
-                 r->request->time_limit, approach, load * po_scene_load_unit(&r->request->scene));
+                 r->request->time_limit, approach * length,
+                 load * po_scene_load_unit(&r->request->scene));
 }
 
 /* Whether the trace continues: it is not interrupted, and the time limit is not reached. */
@@ -300,6 +302,7 @@ static void keep_for_diagnosis(po_collector *r, const po_branch_point *p) {
 /* The contact has reached the end of the meshed surface: a search of limited effort ends here, any
  * other trace is repeated on a larger surface. */
 static void note_cut_off(po_collector *r, const po_branch_point *p, double contact_radius) {
+  const double length = po_scene_length_unit(&r->request->scene);
   if (only_searches(r))
     r->result->ended.cause = PO_END_SEARCHED;
   else
@@ -307,17 +310,17 @@ static void note_cut_off(po_collector *r, const po_branch_point *p, double conta
         po_fail(PO_OUT_OF_DOMAIN,
                 "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
                 "approach %.6g, load %.6g%s",
-                contact_radius, r->surface->core_radius, p->approach,
+                contact_radius * length, r->surface->core_radius * length, p->approach * length,
                 p->load * po_scene_load_unit(&r->request->scene),
                 r->stopping.met ? "" : ", before the preload is met: expected a smaller preload");
 }
 
 static void note_too_long(po_collector *r, const po_branch_point *p) {
-  r->status =
-      po_fail(PO_TOO_MANY_POINTS,
-              "more than %zu points before the preload is met, the last at approach %.6g, "
-              "load %.6g",
-              r->most_points, p->approach, p->load * po_scene_load_unit(&r->request->scene));
+  r->status = po_fail(PO_TOO_MANY_POINTS,
+                      "more than %zu points before the preload is met, the last at approach %.6g, "
+                      "load %.6g",
+                      r->most_points, p->approach * po_scene_length_unit(&r->request->scene),
+                      p->load * po_scene_load_unit(&r->request->scene));
 }
 
 /* Whether a point is one at which the profile is asked for. */

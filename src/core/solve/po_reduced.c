@@ -75,6 +75,7 @@ double po_reduced_tolerance(const po_request *request) {
 
 po_request po_reduced_request(const po_request *request, double s) {
   po_request r = *request;
+  r.scene.length_unit = po_scene_length_unit(&request->scene) * s;
   r.scene.tabor /= s;
   r.scene.radius /= s;
   r.scene.outer_radius /= s;

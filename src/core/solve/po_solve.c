@@ -186,7 +186,8 @@ static po_status attempt(const po_request *request, size_t most_points, po_kept_
         PO_NOT_CONVERGED,
         "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
         "equilibrium was found there on a finer mesh",
-        result->pull_off.force * po_scene_load_unit(&request->scene), result->pull_off.approach);
+        result->pull_off.force * po_scene_load_unit(&request->scene),
+        result->pull_off.approach * po_scene_length_unit(&request->scene));
   if (!status && po_request_excess(request, result) > PO_MOST_EXCESS)
     return po_fail(PO_NOT_CONVERGED,
                    "the error of the pull-off force %.6g is estimated at %.2g, %.2g times the "

@@ -160,6 +160,7 @@ static po_status make_surface(const po_request *request, bool rigid, double core
  * preload is so small that the trace passed none. */
 static po_status lacks_minimum(const po_request *request, const po_collector *reader) {
   const po_curve_point *first = reader->points.path + reader->points.before;
+  const double length = po_scene_length_unit(&request->scene);
   if (!isnan(request->approach_start) && reader->points.count > reader->points.before &&
       first->load_rate > 0.0)
     return po_fail(
@@ -167,17 +168,17 @@ static po_status lacks_minimum(const po_request *request, const po_collector *re
         "the load has no minimum between approach_start and approach %.6g: the trace is "
         "read from approach %.6g, load %.6g on, where the load already rises; expected a "
         "smaller approach_start, or none",
-        reader->result->ended.approach, first->approach,
+        reader->result->ended.approach * length, first->approach * length,
         first->load * po_scene_load_unit(&request->scene));
   const po_preload preload = po_request_preload(request);
   if (isnan(preload.approach))
     return po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g",
-                   reader->result->ended.approach);
+                   reader->result->ended.approach * length);
   return po_fail(
       PO_NOT_FOUND,
       "the load has no minimum up to the preload, approach %.6g: the tension is greatest "
       "where loading is reversed; expected a harder preload",
-      preload.approach);
+      preload.approach * length);
 }
 
 /* If the continuation fails in a search beyond the preload, the search ends there. */
@@ -203,7 +204,8 @@ static po_status without_pull_off(po_status status, const po_collector *reader) 
       "%s; the deepest minimum of the load so far, %.6g at approach %.6g, need not be the "
       "pull-off",
       *po_message() ? po_message() : po_status_text(status),
-      -o->pull_off.force * po_scene_load_unit(&reader->request->scene), o->pull_off.approach);
+      -o->pull_off.force * po_scene_load_unit(&reader->request->scene),
+      o->pull_off.approach * po_scene_length_unit(&reader->request->scene));
 }
 
 /* The width of a contact edge over the shortest wavelength that is advised: by four scenes with
@@ -291,13 +293,13 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
     result->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
   if (!status && !reader.stopping.met && !isnan(request->approach_end) &&
       !isnan(request->preload.load))
-    status =
-        po_fail(PO_NOT_FOUND,
-                "the trace ended at approach %.6g, load %.6g, before the load %g was reached; "
-                "expected a greater approach_end%s",
-                result->ended.approach, result->ended.load * po_scene_load_unit(&request->scene),
-                request->preload.load * po_scene_load_unit(&request->scene),
-                result->ended.load > 0.0 ? ", or a smaller load" : "");
+    status = po_fail(PO_NOT_FOUND,
+                     "the trace ended at approach %.6g, load %.6g, before the load %g was reached; "
+                     "expected a greater approach_end%s",
+                     result->ended.approach * po_scene_length_unit(&request->scene),
+                     result->ended.load * po_scene_load_unit(&request->scene),
+                     request->preload.load * po_scene_load_unit(&request->scene),
+                     result->ended.load > 0.0 ? ", or a smaller load" : "");
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
   if (!status)
