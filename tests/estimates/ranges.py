@@ -5,7 +5,8 @@
 Draws soft wavy spheres: Tabor parameters of 10 to 10^4, R/epsilon of 10^4 to 10^7, wavelengths of 0.13 to 3 sqrt(R mu), A R/lambda^2
 of 0.05 to 5 and preloads of 0.1 to 10 pi w R, all uniform in their logarithm. Each scene is solved with both ranges, and with the
 default if these do not apply. Prints how many were solved, the stated error over the difference, and every violation. With --solved
-only the default is solved, and its times are printed. With --loops the energies lost in loops are compared, too."""
+only the default is solved, and its times are printed. With --loops the energies lost in loops are compared, too. With --minutes,
+scenes that are not begun by then are left out."""
 
 import argparse
 import concurrent.futures
@@ -13,6 +14,7 @@ import json
 import math
 import subprocess
 import sys
+import time
 
 from draw import between, uniform
 
@@ -80,11 +82,20 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--solved", action="store_true")
     parser.add_argument("--loops", action="store_true")
+    parser.add_argument("--minutes", type=float, default=math.inf, help="no scene is begun later than this (no limit)")
     wanted = parser.parse_args()
     kinds = ["auto"] if wanted.solved else ["exact", "reduced"]
     scenes = [scene(wanted.seed, index) for index in range(wanted.count)]
+    end = time.monotonic() + 60.0 * wanted.minutes
+
+    def solve_all(flags):
+        return [solve(wanted.program, flags, kind, wanted) for kind in kinds] if time.monotonic() < end else None
+
     with concurrent.futures.ThreadPoolExecutor(wanted.jobs) as pool:
-        found = list(pool.map(lambda flags: [solve(wanted.program, flags, kind, wanted) for kind in kinds], scenes))
+        found = [results for results in pool.map(solve_all, scenes) if results]
+    if not found:
+        print("no scene was begun")
+        return 3
     for kind, results in zip(kinds, zip(*found)):
         seconds = sorted(document["work"]["seconds"] for document in results)
         statuses = [document["status"] for document in results]

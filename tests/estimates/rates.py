@@ -15,8 +15,10 @@ import math
 import random
 import subprocess
 import sys
+import time
 
 MOST_FAILURES = 0.05  # of the scenes
+QUANTILES = (0.01, 0.1, 0.5, 0.9)
 
 
 def scene(seed, number, most_tabor, loaded):
@@ -39,9 +41,10 @@ def scene(seed, number, most_tabor, loaded):
     return words
 
 
-def solve(program, words, tolerance):
-    line = [program, "solve", *words, "--tolerance", tolerance, "--json"]
-    return json.loads(subprocess.run(line, capture_output=True, text=True).stdout)
+def solve(wanted, words, tolerance):
+    line = [wanted.program, "solve", *words, "--tolerance", tolerance, "--json"]
+    line += ["--time-limit", str(wanted.time_limit)] if wanted.time_limit else []
+    return json.loads(subprocess.run(line, capture_output=True, text=True, check=False).stdout)
 
 
 def numbers(document):
@@ -65,18 +68,21 @@ def numbers(document):
 
 
 def judge(job):
-    program, words, loose, tight = job
-    found = [solve(program, words, tolerance) for tolerance in (loose, tight)]
-    failed = [document["reason"] for document in found if document["status"] != "ok"]
-    if failed:
-        return words, failed[0], []
-    ratios = []
-    for (name, value, error), (_, true, rest) in zip(*map(numbers, found)):
-        ratios.append((name, abs(value - true) / (error + rest), value, true, error))
-    return words, None, ratios
+    """(words, documents, rows): a row has the name of a number, true over stated error, value, that with less tolerance, and
+    stated error. None if there was no time left."""
+    wanted, words, end = job
+    if time.monotonic() > end:
+        return None
+    found = []
+    for tolerance in (wanted.loose, wanted.tight):
+        found.append(solve(wanted, words, tolerance))
+        if found[-1]["status"] != "ok":
+            return words, found, []
+    return words, found, [(name, abs(value - true) / (error + rest), value, true, error)
+                          for (name, value, error), (_, true, rest) in zip(*map(numbers, found))]
 
 
-def main():
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("program")
     parser.add_argument("--count", type=int, default=40)
@@ -86,25 +92,52 @@ def main():
     parser.add_argument("--most-tabor", type=float, default=5.0)
     parser.add_argument("--loaded", type=float, default=0.0, help="share of the scenes that are loaded at a speed (0)")
     parser.add_argument("--jobs", type=int, default=2)
-    given = parser.parse_args()
-    jobs = [(given.program, scene(given.seed, k, given.most_tabor, given.loaded), given.loose, given.tight) for k in range(given.count)]
-    failures, violations, worst, count = 0, 0, {}, {}
-    with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
-        for words, reason, ratios in pool.map(judge, jobs):
+    parser.add_argument("--time-limit", type=float, help="processor seconds of one solve (no limit)")
+    parser.add_argument("--minutes", type=float, default=math.inf, help="no scene is begun later than this (no limit)")
+    return parser.parse_args()
+
+
+def quantile(ordered, share):
+    return ordered[min(len(ordered) - 1, int(share * len(ordered)))]
+
+
+def tell_seconds(what, documents):
+    seconds = sorted(document["work"]["seconds"] for document in documents)
+    if seconds:
+        print(f"{what}: {len(seconds)} solves, median {quantile(seconds, 0.5):.2f} s, greatest {seconds[-1]:.1f} s")
+
+
+def main():
+    wanted = arguments()
+    end = time.monotonic() + 60.0 * wanted.minutes
+    jobs = [(wanted, scene(wanted.seed, k, wanted.most_tabor, wanted.loaded), end) for k in range(wanted.count)]
+    failures, late, violations, factors, solved = 0, 0, 0, {}, ([], [])
+    with concurrent.futures.ThreadPoolExecutor(wanted.jobs) as pool:
+        for words, found, rows in filter(None, pool.map(judge, jobs)):
+            for side, document in zip(solved, found):
+                side.append(document)
             line = f"pulloff solve {' '.join(words)}"
-            if reason:
-                failures += 1
-                print(f"failed: {line}: {reason}")
-            for name, ratio, value, true, error in ratios:
-                worst[name] = max(worst.get(name, 0.0), ratio)
-                count[name] = count.get(name, 0) + 1
+            if found[-1]["status"] != "ok":
+                late += found[-1]["status"] == "time_limit"
+                failures += found[-1]["status"] != "time_limit"
+                side = ("loose", "tight")[len(found) - 1]
+                print(f"{side} solve ended with {found[-1]['status']}: {line}: {found[-1]['reason']}", flush=True)
+            for name, ratio, value, true, error in rows:
+                factors.setdefault(name, []).append(1.0 / max(ratio, 1e-16))
                 if not ratio <= 1.0 or math.isnan(ratio):
                     violations += 1
-                    print(f"violated: {name} {value:.10g}, with less tolerance {true:.10g}, error {error:.2g}: {line}")
-    for name, ratio in worst.items():
-        print(f"{name}: {count[name]} compared, largest true error over the stated one {ratio:.2g}")
-    print(f"{given.count} scenes, {failures} failed, {violations} stated errors do not hold")
-    return 0 if not violations and failures <= MOST_FAILURES * given.count else 1
+                    print(f"violated: {name} {value:.10g}, with less tolerance {true:.10g}, error {error:.2g}: {line}", flush=True)
+    print(f"stated error over the true one at {', '.join(f'{100 * share:.0f} %' for share in QUANTILES)} of the numbers:")
+    for name, of in factors.items():
+        of.sort()
+        print(f"{name}: {len(of)} compared, least {of[0]:.2g}, {', '.join(f'{quantile(of, share):.2g}' for share in QUANTILES)}")
+    for what, documents in zip((wanted.loose, wanted.tight), solved):
+        tell_seconds(f"tolerance {what}", documents)
+    print(f"{len(solved[0])} of {wanted.count} scenes, {failures} failed, {late} exceeded the time limit, "
+          f"{violations} stated errors do not hold")
+    if not factors:
+        return 3
+    return 0 if not violations and failures <= MOST_FAILURES * len(solved[0]) else 1
 
 
 if __name__ == "__main__":
