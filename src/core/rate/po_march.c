@@ -162,19 +162,23 @@ void po_march_destroy(po_march *m) {
   free(m);
 }
 
+/* Positions that differ by less, relative to them, are one place of the record of another march:
+ * just before a jump its steps may be shorter than the rounding of the position. */
+static const double ONE_PLACE = 1e-12;
+
 /* The length of the step of another march that contains a position of the base in a phase. */
 static double length_like(const po_march *like, po_march_phase phase, double moved) {
   size_t low = like->first[phase]; /* the first record beyond is in (low, high] */
   size_t high = (phase < PO_UNLOADING ? like->first[phase + 1] : like->count) - 1;
   while (high - low > 1) {
     const size_t middle = (low + high) / 2;
-    if (like->records[middle].point.moved > moved * (1.0 + 1e-12))
+    if (like->records[middle].point.moved > moved * (1.0 + ONE_PLACE))
       high = middle;
     else
       low = middle;
   }
   const double length = like->records[high].length;
-  return length > 0.0 ? length : (double)INFINITY; /* 0: a jump */
+  return length > 0.0 ? fmax(length, ONE_PLACE * moved) : (double)INFINITY; /* 0: a jump */
 }
 
 static double next_length(const po_march *m) {

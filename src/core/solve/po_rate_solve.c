@@ -6,6 +6,7 @@
 
 #include "po_contact.h"
 #include "po_deadline.h"
+#include "po_estimate.h"
 #include "po_far_field.h"
 #include "po_march.h"
 #include "po_memory.h"
@@ -191,6 +192,35 @@ static void add_miss(double miss, bool jumps, po_rate_energy *error) {
     error->jumps += miss;
 }
 
+/* Bounds of errors of the state at the preload that all marches have in common: panels that the
+ * coarse ones have, too, and the far field. */
+typedef struct {
+  po_far_field far;
+  double load, energy;
+} common_errors;
+
+static common_errors common_errors_of(const po_request *request, const po_attempt *a,
+                                      const po_solution *reached) {
+  const po_far_field far = po_far_field_of(&request->scene, reached);
+  const po_branch_point point = {.approach = po_solution_approach(reached),
+                                 .load = reached->load,
+                                 .n = reached->core,
+                                 .node = reached->node,
+                                 .gap = reached->state,
+                                 .solution = reached};
+  const double energy = po_energy_error(request, &point);
+  return (common_errors){far, far.load + LEAST_OF_PANELS * a->tolerance * fabs(point.load),
+                         fmax(energy, far.load * (1.0 + fabs(point.approach)))};
+}
+
+/* Adds these to the error of the work until the bodies are far apart: that of the energy; and where
+ * the base begins, if the approach of the preload or the deflection of a spring is wrong. */
+static void add_common(const common_errors *e, const po_request *request, double load,
+                       po_rate_energy *error) {
+  const double pliant = isnan(request->stiffness) ? 0.0 : 1.0 / request->stiffness;
+  error->work += e->energy + fabs(load) * (e->far.approach + e->load * pliant);
+}
+
 static void take_loading(const run r[3], bool smooth, po_rate *rate) {
   po_rate_loading *l = &rate->loading;
   const po_rate_energy *of[3];
@@ -238,8 +268,9 @@ static double least_duration(double a, double b) {
 }
 
 /* Fills the result from three marches: coarse, with half the steps, on coarse panels. */
-static void take(const po_attempt *a, const run r[3], const po_far_field *far, po_result *o) {
+static void take(const po_attempt *a, const run r[3], const common_errors *common, po_result *o) {
   po_rate *rate = &o->rate;
+  const po_far_field *far = &common->far;
   const bool path = isnan(r[1].read.begin.time);
   const bool steps = takes_time(r[1].read.request); /* the limits have no error in time */
   const bool smooth = steps && r[0].peak.jumps == 0 && r[1].peak.jumps == 0 && r[2].peak.jumps == 0;
@@ -281,6 +312,9 @@ static void take(const po_attempt *a, const run r[3], const po_far_field *far, p
   if (po_rate_is_loaded(r[1].read.request))
     take_loading(r, steps, rate);
   take_unloading(r, steps && !any_jumps(r, true) && !any_jumps(r, false), rate);
+  add_common(common, r[1].read.request, rate->begin.load, &rate->end_error);
+  if (rate->loading.is_known)
+    add_common(common, r[1].read.request, rate->begin.load, &rate->loading.error);
 }
 
 /* The duration of the dwell in which a body relaxes to exp(-40), over its longest time. */
@@ -327,7 +361,7 @@ static po_status take_profile(const po_request *request, const po_surface *surfa
 }
 
 static po_status march_all(const po_request *request, const po_attempt *a, po_equilibrium *e,
-                           const po_solution *start, double radius, const po_far_field *far,
+                           const po_solution *start, double radius, const common_errors *common,
                            po_result *o) {
   po_creep_terms terms;
   run r[3] = {{0}};
@@ -368,7 +402,7 @@ static po_status march_all(const po_request *request, const po_attempt *a, po_eq
     status = take_profile(request, e->surface, &at, o);
   po_arena_free(&arrays);
   if (!status)
-    take(a, r, far, o);
+    take(a, r, common, o);
   for (int k = 0; k < 3; ++k)
     o->work.nodes = r[k].read.most_nodes > o->work.nodes ? r[k].read.most_nodes : o->work.nodes;
   o->rate.history = r[1].read.history;
@@ -396,13 +430,13 @@ po_status po_rate_solve(const po_request *request, const po_attempt *a, po_surfa
   if (!status)
     status = po_rate_load_relaxed(request, &e, &l);
   if (!status) {
-    const po_far_field far = po_far_field_of(&request->scene, &reached);
+    const common_errors common = common_errors_of(request, a, &reached);
     po_contact_gap gap = po_contact_gap_on_panels(&request->scene, &reached);
     const double radius = po_contact_radius(&gap);
     status = po_solve_is_cut_off(&request->scene, radius, a->core)
                  ? PO_OUT_OF_DOMAIN
                  : march_all(request, a, e, po_rate_is_loaded(request) ? &first : &reached, radius,
-                             &far, o);
+                             &common, o);
   }
   if (e) {
     const size_t most = o->work.nodes > l.most_nodes ? o->work.nodes : l.most_nodes;
