@@ -118,8 +118,8 @@ def main():
                 side.append(document)
             line = f"pulloff solve {' '.join(words)}"
             if found[-1]["status"] != "ok":
-                late += found[-1]["status"] == "time_limit"
-                failures += found[-1]["status"] != "time_limit"
+                late += found[-1]["status"] == "out_of_time"
+                failures += found[-1]["status"] != "out_of_time"
                 side = ("loose", "tight")[len(found) - 1]
                 print(f"{side} solve ended with {found[-1]['status']}: {line}: {found[-1]['reason']}", flush=True)
             for name, ratio, value, true, error in rows:
