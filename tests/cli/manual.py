@@ -3,12 +3,14 @@
 
     manual.py PROGRAM ROOT FOLDER-OF-PAGES
 
-The options that are tried are all names in any help, and those of lengths with -m if the help names these. An option is accepted if
-the program does not call it unknown. An unknown option follows twice, once as a value, so that nothing is ever computed.
+An option is accepted if the table of the verb has it. The program lists the options that begin with a letter when it is given the
+letter alone, as an ambiguous beginning; where only one begins so, the names in any help are tried. An unknown option follows twice,
+once as a value, so that nothing is ever computed.
 """
 
 import pathlib
 import re
+import string
 import subprocess
 import sys
 
@@ -33,6 +35,23 @@ def output(*command):
 
 def is_accepted(program, verb, option):
     return f"unknown option {option} " not in output(program, verb, option, "--frobnicate", "--frobnicate") + " "
+
+
+def all_accepted(program, verb, known):
+    """The options of a verb. `known`: names in the order in which they are tried where the program lists none, which takes the
+    beginning of a name for the name."""
+    found = set()
+    for letter in string.ascii_lowercase:
+        said = output(program, verb, f"--{letter}", "--frobnicate", "--frobnicate")
+        if "is the beginning of several options" in said:
+            found |= set(NAME.findall(said.split("expected one of", 1)[1]))
+        elif f"unknown option --{letter} " not in said:
+            one = next((option for option in known if option[2] == letter and is_accepted(program, verb, option)), None)
+            if one:
+                found.add(one)
+            else:
+                tell(f"the option of {verb} that begins with {letter} is in a help", "it is in none")
+    return found
 
 
 def entries(text):
@@ -74,15 +93,13 @@ def check_verb(program, root, pages, verb, helps):
     every = set().union(*(entries(text) for text in helps.values()))
     in_metres = METRES in " ".join(helps[verb].split())
     lengths = {option + "-m" for option in every if not option.endswith("-m")} if in_metres or verb == "plot" else set()
-    accepted = {option for option in every | lengths if is_accepted(program, verb, option)}
+    accepted = all_accepted(program, verb, [*sorted(mine), *sorted((every | lengths) - mine, key=len, reverse=True)])
     documented = mine | REFUSED.get(verb, set())
     if in_metres:
         documented |= {option for option in accepted & lengths if option[:-2] in mine}
     if verb == "plot":  # its help refers to that of solve
         tell("plot refers to the options of solve", "those of pulloff solve" not in helps[verb])
         documented |= accepted & (entries(helps["solve"]) | {option for option in lengths if option[:-2] in entries(helps["solve"])})
-    # getopt_long accepts the beginning of a name for the name.
-    documented |= {option for option in accepted if any(name.startswith(option) for name in documented)}
     tell(f"{verb} accepts what its help names", sorted(mine - accepted))
     tell(f"the help of {verb} names what it accepts", sorted(accepted - documented))
     page = (pages / f"pulloff-{verb}.1").read_text(encoding="utf-8")
