@@ -12,9 +12,9 @@
 extern int openblas_get_num_threads(void);
 extern void openblas_set_num_threads(int threads);
 
-/* ROUNDS is set by the build: one round under a sanitizer, which looks at the order of accesses and
- * not at results. */
-enum { THREADS = 8, BLAS_THREADS = 2 };
+/* THREADS and ROUNDS are set by the build: four threads and one round under a sanitizer, which looks
+ * at the order of accesses and not at results. */
+enum { BLAS_THREADS = 2 };
 
 static char *single[SCENE_COUNT];
 static pulloff_status status_of[SCENE_COUNT];
