@@ -6,6 +6,7 @@ import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import tomllib
 
@@ -15,6 +16,9 @@ SOURCE = os.path.dirname(os.path.dirname(HERE))
 KINDS = ("physics", "harness")
 FAULT = {"name": str, "kind": str, "what": str, "file": str, "old": str, "new": str}
 OPTIONAL = {"tests": list, "pin_suffices": bool, "timeout_counts": bool}
+
+# Of the linkers of binutils, gold takes a third of the time of the other, which is half of that of a fault.
+LINKER = ["-fuse-ld=gold"] if shutil.which("ld.gold") else []
 
 
 class Stale(Exception):
@@ -159,7 +163,7 @@ class Build:
             return None
         path = os.path.join(place, os.path.basename(program))
         words[words.index("-o") + 1] = path
-        said = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, check=False)
+        said = subprocess.run(words + LINKER, cwd=self.folder, capture_output=True, text=True, check=False)
         if said.returncode:
             raise Stale(f"{program} with the fault does not link:\n{said.stderr}")
         return path
