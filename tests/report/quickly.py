@@ -13,6 +13,7 @@ import make_report  # noqa: E402
 from markupsafe import Markup  # noqa: E402
 from pulloff_report import fonts, gnuplot, page, svg  # noqa: E402
 from pulloff_report.plots import precision, solvers, speed  # noqa: E402
+from pulloff_report.sections import environment  # noqa: E402
 
 
 class Now:
@@ -50,10 +51,11 @@ def replace(owner, module, name, replacement):
 
 
 def prepare(owner):
-    """For a test, or the tests of a class: no second process, no typefaces, no drawing twice."""
+    """For a test, or the tests of a class: no second process, no typefaces, no drawing twice, versions of the tools asked once."""
     for module, name, replacement in ((page.beside, "start", Now), (fonts, "font_faces", lambda text: ""),
                                       (gnuplot, "draw", remembered(gnuplot.draw)), (svg, "embeddable", remembered(svg.embeddable)),
-                                      (page, "environment", functools.lru_cache(page.environment))):
+                                      (page, "environment", functools.lru_cache(page.environment)),
+                                      (environment, "tool_versions", remembered(environment.tool_versions))):
         replace(owner, module, name, replacement)
 
 
