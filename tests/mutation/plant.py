@@ -17,7 +17,7 @@ KINDS = ("physics", "harness")
 FAULT = {"name": str, "kind": str, "what": str, "file": str, "old": str, "new": str}
 OPTIONAL = {"tests": list, "pin_suffices": bool, "timeout_counts": bool}
 
-# Of the linkers of binutils, gold takes a third of the time of the other, which is half of that of a fault.
+# Of the linkers of binutils, gold takes a third of the time of the other, which was a third of that of a fault.
 LINKER = ["-fuse-ld=gold"] if shutil.which("ld.gold") else []
 
 

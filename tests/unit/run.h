@@ -1,8 +1,9 @@
 /* The tests of a file as a program: TEST, LOOP_TEST and TABLE_TEST begin a test like the head of a
  * function, and main runs all of them; the exit status says whether all passed. The environment
- * variable RUN_TESTS names those that are run, separated by blanks (default: all). With RUN_FEW,
- * those with more than four rounds are run for the first, the middle and the last _i: for builds in
- * which tests are slow, and in which only the lines count that are run. */
+ * variable RUN_TESTS names those that are run, separated by blanks (default: all; a name that no
+ * test has is an error). With RUN_FEW, those with more than four rounds are run for the first, the
+ * middle and the last _i: for builds in which tests are slow, and in which only the lines count
+ * that are run. */
 #ifndef RUN_H
 #define RUN_H
 
@@ -53,15 +54,26 @@ static bool is_asked(const char *test) {
   return strstr(list, name);
 }
 
+/* The number of words in RUN_TESTS; 0 without it. */
+static size_t asked_count(void) {
+  size_t count = 0;
+  const char *list = getenv("RUN_TESTS");
+  for (const char *c = list; c && *c; ++c)
+    count += *c != ' ' && (c == list || c[-1] == ' ');
+  return count;
+}
+
 int main(void) {
   Suite *suite = suite_create(__BASE_FILE__);
   TCase *tests = tcase_create(__BASE_FILE__);
   tcase_set_timeout(tests, 200.0);
   tcase_add_checked_fixture(tests, before_each, after_each);
+  size_t found = 0;
   for (size_t k = 0; k < test_count; ++k) {
     const int begin = all_tests[k].begin, end = all_tests[k].end;
     if (!is_asked(all_tests[k].name))
       continue;
+    ++found;
     if (getenv("RUN_FEW") && end - begin > 4) {
       const int few[] = {begin, (begin + end) / 2, end - 1};
       for (int i = 0; i < 3; ++i)
@@ -72,7 +84,12 @@ int main(void) {
   suite_add_tcase(suite, tests);
   SRunner *runner = srunner_create(suite);
   srunner_run_all(runner, CK_NORMAL);
-  const bool passed = srunner_ntests_run(runner) > 0 && srunner_ntests_failed(runner) == 0;
+  const bool all_found = found >= asked_count();
+  if (!all_found)
+    fprintf(stderr, "RUN_TESTS is %s: expected names of tests of this program\n",
+            getenv("RUN_TESTS"));
+  const bool passed =
+      all_found && srunner_ntests_run(runner) > 0 && srunner_ntests_failed(runner) == 0;
   srunner_free(runner);
   return passed ? 0 : 1;
 }
