@@ -34,6 +34,7 @@ SIGNIFICANT = 10                       # sum of squares by which a model has to 
 BAD_FIT = 4                            # chi2/n of a model that does not describe the data
 UNKNOWN = 0.5                          # standard error of a logarithm above which the number is not known from the data
 CLEAR_SLOPE = 4                        # standard errors of the slope of a baseline that is fitted
+SPHERE_TABOR = 50.0                    # greatest Tabor parameter at its start, beyond which the range hardly matters
 SPHERE_STEPS = 12                      # of the fit of a sphere, most of which is the solves of its branches
 LARGE_CONTACT = 0.3                    # contact radius over R, beyond which a paraboloid is no sphere
 
@@ -369,8 +370,10 @@ def fit_sphere(curve: Curve, radius: float, stiffness: float, near: Fit) -> Fit:
     sloping = bool(np.isfinite(near.slope_error))
     model, data = Model(radius, stiffness, curve.greatest, sphere=True), split(curve)
     work, eps = near.values[:2]
-    for _ in range(3):  # the work that gives the depth of the curve, at the same modulus and range
-        tabor = (radius * work**2 / near.values[2]**2) ** (1 / 3) / eps
+    for _ in range(3):  # the work that gives the depth of the curve, at the same modulus and, if it is not too short, the same range
+        scale = (radius * work**2 / near.values[2]**2) ** (1 / 3)
+        eps = max(eps, scale / SPHERE_TABOR)
+        tabor = scale / eps
         work *= max(curve.zero - curve.out[1].min(), 3 * curve.noise) / -model.states(tabor, work, eps)[1].min()
     start = np.array([np.log(work), np.log(eps), np.log(tabor), *near.values[3:5], 0.0])
     free = range(6) if sloping else range(5)

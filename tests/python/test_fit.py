@@ -58,6 +58,16 @@ def test_soft_sample():
     assert "the model is a paraboloid" in lines and "which JKR fits as well" in lines
 
 
+def test_soft_sphere_itself():
+    """A tip of 45 nm in a soft sample is in contact with the whole of it. The paraboloid then gives w 44 % low and a range of 0.06 nm, and the
+    sphere is found from there: its start with that range had a Tabor parameter beyond the bounds."""
+    z, into, out = measured(SOFT, 0.05, 0.7, -300, 2, sphere=True)
+    near = fit.Fit("solver", 85.0, np.array([0.0281, 0.0611, 1.685e-3, 80.3, -0.204]), np.eye(5), 9.9, 1.0, 1, 30.5)
+    found = fit.fit_sphere(fit.curve_of(z, into, z, out), *SOFT[:2], near)
+    check(found, SOFT)
+    assert found.values[0] == pytest.approx(SOFT[2][0], rel=0.01) and found.contact_radius > 0.98 * SOFT[0]
+
+
 def test_sloping_baseline():
     """A drift of the deflection that is linear in the position is recognised by itself, fitted, and changes no other value beyond its
     error; the branch of the model ends nearer to the sample than the data. A level baseline has no slope."""
