@@ -1,6 +1,7 @@
 /* A pull-off by greater ranges of the attraction: against the true range where both can be solved,
  * and against the limits of JKR theory where only the greater ones can. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_solve.h"
@@ -319,6 +320,10 @@ TEST(a_long_trace_gives_way_to_greater_ranges) {
   po_result exact, taken;
   ck_assert_int_eq(po_solve(&request, &taken), PO_OK);
   ck_assert(taken.range.is_reduced);
+  if (getenv("RUN_FEW")) { /* the whole trace is half of the work, and runs no other lines */
+    po_result_clear(&taken);
+    return;
+  }
   request.range = PO_RANGE_EXACT;
   ck_assert_int_eq(po_solve(&request, &exact), PO_OK);
   ck_assert_uint_gt(exact.work.points, 1000);
