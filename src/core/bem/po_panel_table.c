@@ -8,6 +8,7 @@
 #include "po_elementary.h"
 #include "po_kernel.h"
 #include "po_lock.h"
+#include "po_quadrature.h"
 #include "po_skeleton.h"
 
 /* An offset of panels that are not near. */
@@ -93,6 +94,17 @@ static void fill_legendre(const po_panel_rule *rule, po_legendre *legendre) {
   }
 }
 
+void po_panel_parts_fill(const po_panel_rule *rule, double middle, po_panel_parts *parts) {
+  for (size_t i = 0; i < 2 * PO_TABLE_ORDER; ++i) {
+    const size_t j = i % PO_TABLE_ORDER;
+    const double begin = i < PO_TABLE_ORDER ? 0.0 : middle;
+    const double length = i < PO_TABLE_ORDER ? middle : 1.0 - middle;
+    parts->node[i] = begin + length * rule->node[j];
+    parts->weight[i] = length * rule->weight[j];
+    po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, parts->node[i], parts->lagrange[i]);
+  }
+}
+
 /* A table that could not be filled for lack of memory is filled by a later call. */
 static void fill_table(void) {
   if (is_filled || po_panel_rule_fill(PO_TABLE_ORDER, &table.rule))
@@ -108,6 +120,7 @@ static void fill_table(void) {
                          node_in_source(&table.rule, AXIS_POSITIONS[k], i), table.axis[k][i], 1);
   fill_derivative(&table.rule, table.derivative);
   fill_legendre(&table.rule, &table.legendre);
+  po_panel_parts_fill(&table.rule, 0.5, &table.halves);
   is_filled = true;
 }
 

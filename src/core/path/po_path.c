@@ -223,7 +223,9 @@ static double held_miss(const po_path *path, po_control control, po_path_place p
 
 static po_curve_point extremum_at(const po_path *path, po_control control, po_path_place place) {
   po_curve_point point = point_at(path, place);
-  point.held_miss = held_miss(path, control, place);
+  const po_curve_point *a = &path->point[place.index], *b = a + 1;
+  point.held_miss = held_miss(path, control, place) +
+                    po_held(control, 0.0, fmax(a->load_error, b->load_error)); /* ignores NAN */
   return point;
 }
 

@@ -47,6 +47,7 @@ typedef struct {
   double energy;         /* U / (pi w R eps), elastic and of the interaction, 0 infinitely apart;
                             dU/d(approach) along the branch is the load */
   double energy_error;   /* estimated bound of its error at this approach; NAN: not estimated */
+  double load_error;     /* the same of the load; not in documents */
   double contact_radius; /* in eps */
   double approach_rate, load_rate; /* derivatives by the position. approach_rate is 0 at a fold,
                                       load_rate at an extremum of the load */

@@ -149,7 +149,7 @@ static po_status keep_point(po_kept_points *kept, const po_branch_point *p,
 
 /* Appends a point to the path. Given: contact radius, eps. Status: PO_NO_MEMORY. */
 static po_status add_to_path(po_trace_points *points, const po_branch_point *p, double stiffness,
-                             double contact_radius, double energy_error) {
+                             double contact_radius, po_point_error error) {
   po_curve_point *path = po_grow(points->path, points->count, &points->room, sizeof *path);
   if (!path)
     return PO_NO_MEMORY;
@@ -158,7 +158,8 @@ static po_status add_to_path(po_trace_points *points, const po_branch_point *p, 
                                            .approach = p->approach,
                                            .load = p->load,
                                            .energy = p->energy,
-                                           .energy_error = energy_error,
+                                           .energy_error = error.energy,
+                                           .load_error = error.load,
                                            .contact_radius = contact_radius,
                                            .approach_rate = p->approach_rate,
                                            .load_rate = p->load_rate,
@@ -347,10 +348,10 @@ static bool ends_at(po_collector *r, const po_branch_point *p, double contact_ra
   return r->status || r->result->ended.cause != PO_END_NONE;
 }
 
-/* The error of the energy of a point, if something with such errors is wanted. */
-static double energy_error_of(const po_collector *r, const po_branch_point *p) {
+/* The errors of a point, if something with such errors is wanted. */
+static po_point_error error_of(const po_collector *r, const po_branch_point *p) {
   const bool wanted = r->request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD);
-  return wanted ? po_energy_error(r->request, p) : (double)NAN;
+  return wanted ? po_point_error_of(r->request, p) : (po_point_error){NAN, NAN};
 }
 
 bool po_collector_visit(const po_branch_point *p, void *data) {
@@ -362,8 +363,7 @@ bool po_collector_visit(const po_branch_point *p, void *data) {
     r->status = pass(r, p, false);
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, p);
   const double contact_radius = po_contact_radius(&gap);
-  keep_status(
-      r, add_to_path(&r->points, p, r->request->stiffness, contact_radius, energy_error_of(r, p)));
+  keep_status(r, add_to_path(&r->points, p, r->request->stiffness, contact_radius, error_of(r, p)));
   if (!r->begun && !(p->approach >= r->begin)) {
     r->points.before = r->points.count;
     return false;

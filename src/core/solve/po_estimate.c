@@ -55,54 +55,36 @@ static panel panel_of(const po_scene *scene, const po_solution *p, size_t k) {
 /* Integrals over a panel, of r dr. */
 typedef struct {
   double energy;  /* of phi(H) */
+  double load;    /* of the traction */
   double squares; /* of the square of the traction's difference from its polynomial */
 } integrals;
 
-/* The nodes of two parts of a panel on (0, 1), and the weights with which the values at the nodes
- * of the panel are interpolated to each. */
-typedef struct {
-  double place[2 * PO_TABLE_ORDER], weight[2 * PO_TABLE_ORDER],
-      lagrange[2 * PO_TABLE_ORDER][PO_TABLE_ORDER];
-} parts;
-
-/* Given: where the parts meet. */
-static void fill_parts(double middle, parts *h) {
-  const po_panel_rule *rule = &po_panel_table_get()->rule;
-  for (size_t i = 0; i < 2 * PO_TABLE_ORDER; ++i) {
-    const size_t j = i % PO_TABLE_ORDER;
-    const double begin = i < PO_TABLE_ORDER ? 0.0 : middle;
-    const double length = i < PO_TABLE_ORDER ? middle : 1.0 - middle;
-    h->place[i] = begin + length * rule->node[j];
-    h->weight[i] = length * rule->weight[j];
-    po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, h->place[i], h->lagrange[i]);
-  }
-}
-
 /* The integrals over a panel by Gauss's rule on its parts. */
-static integrals by_parts(const po_scene *scene, const panel *p, const parts *h) {
+static integrals by_parts(const po_scene *scene, const panel *p, const po_panel_parts *h) {
   integrals sum = {0};
   for (size_t i = 0; i < 2 * PO_TABLE_ORDER; ++i) {
-    const double r = p->begin + p->size * h->place[i], weight = p->size * h->weight[i] * r;
+    const double r = p->begin + p->size * h->node[i], weight = p->size * h->weight[i] * r;
     const double gap =
         po_initial_gap(scene, r) + po_linear_dot(PO_TABLE_ORDER, p->deflection, h->lagrange[i]);
-    const double off = po_law_at(&scene->law, gap).traction -
-                       po_linear_dot(PO_TABLE_ORDER, p->traction, h->lagrange[i]);
+    const double traction = po_law_at(&scene->law, gap).traction;
+    const double off = traction - po_linear_dot(PO_TABLE_ORDER, p->traction, h->lagrange[i]);
     sum.energy += weight * po_law_energy(&scene->law, gap);
+    sum.load += weight * traction;
     sum.squares += weight * off * off;
   }
   return sum;
 }
 
-/* The integral of phi(H) r dr by the nodes of a panel. */
-static double energy_by_nodes(const po_scene *scene, const panel *p) {
+/* The integrals of phi(H) and of the traction by the nodes of a panel. */
+static integrals by_nodes(const po_scene *scene, const panel *p) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
-  double sum = 0.0;
+  integrals sum = {0};
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
-    const double r = p->begin + p->size * rule->node[j];
-    sum += rule->weight[j] * r *
-           po_law_energy(&scene->law, po_initial_gap(scene, r) + p->deflection[j]);
+    const double r = p->begin + p->size * rule->node[j], weight = p->size * rule->weight[j] * r;
+    sum.energy += weight * po_law_energy(&scene->law, po_initial_gap(scene, r) + p->deflection[j]);
+    sum.load += weight * p->traction[j];
   }
-  return p->size * sum;
+  return sum;
 }
 
 /* The error of Gauss's rule for x^power ln x on (0, 1). */
@@ -129,12 +111,14 @@ static double of_end(const po_scene *scene, const panel *last) {
 /* The integrals over a panel by Gauss's rule on its halves, or on both sides of a kink of the
  * profile: half a panel that has the kink inside would have as large an error as the whole, and
  * their difference may vanish by chance. */
-static integrals finer_integrals(const po_scene *scene, const panel *p, const parts *halves) {
+static integrals finer_integrals(const po_scene *scene, const panel *p,
+                                 const po_panel_parts *halves) {
   const po_profile *profile = &scene->profile;
   if (!po_profile_has_kink_between(profile, p->begin, p->begin + p->size))
     return by_parts(scene, p, halves);
-  parts sides;
-  fill_parts((po_profile_shape(profile).kink - p->begin) / p->size, &sides);
+  po_panel_parts sides;
+  po_panel_parts_fill(&po_panel_table_get()->rule,
+                      (po_profile_shape(profile).kink - p->begin) / p->size, &sides);
   return by_parts(scene, p, &sides);
 }
 
@@ -172,36 +156,45 @@ static double of_corners(const po_scene *scene, const panel *p) {
  * these polynomials lack. They change sign about as often as a panel has nodes n, so that they
  * deflect the surface by about coupling e size / n. The moduli of the panels are added: their
  * errors may cancel by chance. */
-static double of_panels(const po_scene *scene, const po_solution *p) {
+static po_point_error of_panels(const po_scene *scene, const po_solution *p) {
   const double coupling = po_scene_coupling(scene);
-  double change = 0.0, lacking = 0.0;
-  parts halves;
-  fill_parts(0.5, &halves);
+  double change = 0.0, lacking = 0.0, load = 0.0;
+  const po_panel_parts *halves = &po_panel_table_get()->halves;
   for (size_t k = 0; k < p->panels->count; ++k) {
     const panel here = panel_of(scene, p, k);
-    const integrals finer = finer_integrals(scene, &here, &halves);
-    change += fabs(finer.energy - energy_by_nodes(scene, &here));
+    const integrals finer = finer_integrals(scene, &here, halves);
+    const integrals nodes = by_nodes(scene, &here);
+    change += fabs(finer.energy - nodes.energy);
+    load += fabs(finer.load - nodes.load);
     lacking += coupling * here.size / PO_TABLE_ORDER * finer.squares;
     lacking += of_corners(scene, &here);
     if (k + 1 == p->panels->count && isfinite(scene->outer_radius))
       lacking += of_end(scene, &here);
   }
-  return PO_SAFETY * 2.0 / scene->radius * (change + lacking);
+  const double factor = PO_SAFETY * 2.0 / scene->radius;
+  return (po_point_error){factor * (change + lacking), factor * load};
 }
 
-double po_energy_error(const po_request *request, const po_branch_point *p) {
+po_point_error po_point_error_of(const po_request *request, const po_branch_point *p) {
   const po_scene *scene = &request->scene;
   const double precision = po_solve_precision(request->mesh.tolerance);
   if (!p->gap)
-    return RIGID * fmax(1.0, fabs(p->energy)) + po_far_field_rigid_energy(scene, p->approach);
+    return (po_point_error){
+        RIGID * fmax(1.0, fabs(p->energy)) + po_far_field_rigid_energy(scene, p->approach), 0.0};
   if (!p->solution)
-    return NAN;
+    return (po_point_error){NAN, NAN};
   const po_solution *s = p->solution;
   const po_far_field far = po_far_field_of(scene, s);
   const double deflection =
       isinf(scene->outer_radius) ? s->deflection[s->n - 1] + p->approach : 0.0;
-  return of_panels(scene, s) + precision * (1.0 + fabs(p->load)) + far.energy +
-         0.5 * far.load * fabs(deflection);
+  const po_point_error panels = of_panels(scene, s);
+  return (po_point_error){panels.energy + precision * (1.0 + fabs(p->load)) + far.energy +
+                              0.5 * far.load * fabs(deflection),
+                          panels.load + far.load};
+}
+
+double po_energy_error(const po_request *request, const po_branch_point *point) {
+  return po_point_error_of(request, point).energy;
 }
 
 static po_contact_edge edge_on_panels(const po_request *request, const po_branch_point *p) {

@@ -26,8 +26,15 @@ void po_estimate_pull_off(const po_estimate *minimum, po_result *result);
  * loading and unloading. */
 double po_estimate_miss(const po_request *request);
 
-/* An estimated bound of the error of the energy of any point of a branch at its approach, pi w R
- * eps; NAN for rings and triangles. */
+/* Estimated bounds of the errors of the energy and the load of any point of a branch at its
+ * approach, pi w R eps and pi w R; NAN for rings and triangles. */
+typedef struct {
+  double energy, load;
+} po_point_error;
+
+po_point_error po_point_error_of(const po_request *request, const po_branch_point *point);
+
+/* The first of them. */
 double po_energy_error(const po_request *request, const po_branch_point *point);
 
 #endif
