@@ -1,16 +1,12 @@
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "po_elementary.h"
 #include "po_file.h"
+#include "po_law_line.h"
+#include "po_law_sets.h"
 #include "po_live.h"
-#include "po_options.h"
-#include "po_particle_text.h"
-#include "po_quote.h"
-#include "po_suggest.h"
-#include "po_theory_forces.h"
+#include "po_session.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -50,20 +46,30 @@ static const char HELP[] =
     "  --name NAME             name of the function and the table, letters, digits and _ (default\n"
     "                          pulloff_law)\n"
     "  -o, --output FILE       write to FILE, and print what the law is (default: standard "
-    "output)\n"
+    "output);\n"
+    "                          with --sets, a folder\n"
     "  -h, --help              print this text\n"
+    "\n"
+    "Many laws:\n"
+    "  --sets TABLE            make a law for each row of a CSV table, whose columns are named "
+    "like\n"
+    "                          the options of the scene (tabor, radius_m); - is a value that is "
+    "not\n"
+    "                          given, and semicolons stand for the commas of a value. Options "
+    "hold\n"
+    "                          for all rows. The folder --output gets a file for each row, "
+    "named\n"
+    "                          like its function, NAME_ROW, and summary.csv: status, jumps, "
+    "pull-off\n"
+    "                          force, energy lost, errors and seconds of each row. A row that "
+    "has no\n"
+    "                          law has the reason in the summary\n"
+    "  -j, --jobs N            rows computed in parallel; 0 means all cores (default 0)\n"
     "\n" PO_SCENE_OPTIONS_HELP "\n"
     "Example: pulloff contact-law --tabor 2 --output law.h\n"
+    "Example: pulloff contact-law --sets particles.csv --output laws\n"
     "Example: pulloff contact-law --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7 --format csv\n";
-
-typedef struct {
-  po_scene_options scene;
-  po_request request;
-  po_particle_format format;
-  double error;
-  const char *name, *output;
-} law_line;
 
 static po_status take_format(const char *name, void *format) {
   for (int k = 0; PO_PARTICLE_FORMATS[k]; ++k)
@@ -81,8 +87,6 @@ static po_status take_error(const char *name, void *error) {
              : po_options_refuse(name, optarg, "a number from 1e-6 to 0.01");
 }
 
-enum { LONGEST_NAME = 60 };
-
 /* The words of C and C++ that are written as names are. */
 static const char RESERVED[] =
     " alignas alignof and asm auto bool break case catch char class concept const constexpr "
@@ -93,8 +97,8 @@ static const char RESERVED[] =
     "volatile while xor ";
 
 static bool is_reserved(const char *name) {
-  char word[LONGEST_NAME + 3];
-  snprintf(word, sizeof word, " %.*s ", LONGEST_NAME, name);
+  char word[PO_LAW_NAME_MOST + 3];
+  snprintf(word, sizeof word, " %.*s ", PO_LAW_NAME_MOST, name);
   return strstr(RESERVED, word);
 }
 
@@ -103,7 +107,7 @@ static po_status take_name(const char *name, void *value) {
   while (isalnum((unsigned char)*c) || *c == '_')
     ++c;
   *(const char **)value = optarg;
-  return c > optarg && !*c && !isdigit((unsigned char)*optarg) && c - optarg <= LONGEST_NAME &&
+  return c > optarg && !*c && !isdigit((unsigned char)*optarg) && c - optarg <= PO_LAW_NAME_MOST &&
                  !is_reserved(optarg)
              ? PO_OK
              : po_options_refuse(name, optarg,
@@ -112,154 +116,59 @@ static po_status take_name(const char *name, void *value) {
 }
 
 /* Beside the options of keys. */
-static const po_option OPTIONS[] = {PO_TAKEN("format", law_line, format, take_format),
-                                    PO_TAKEN("error", law_line, error, take_error),
-                                    PO_TAKEN("name", law_line, name, take_name),
-                                    PO_OUTPUT(law_line, output, "the name of a file"),
+static const po_option OPTIONS[] = {PO_TAKEN("format", po_law_line, format, take_format),
+                                    PO_TAKEN("error", po_law_line, error, take_error),
+                                    PO_TAKEN("name", po_law_line, name, take_name),
+                                    PO_OUTPUT(po_law_line, output, "the name of a file"),
+                                    PO_TEXT("sets", po_law_line, sets, "the name of a file"),
+                                    {.name = "jobs",
+                                     .kind = PO_OPTION_IS_TAKEN,
+                                     .place = offsetof(po_law_line, jobs),
+                                     .take = po_session_take_jobs,
+                                     .letter = 'j'},
                                     PO_REFUSED_STIFFNESS,
                                     {0}};
 
-/* Completes the request: the preload of a sphere is PO_LAW_PRELOAD, unless it is given. */
-static po_status complete_line(law_line *line) {
-  po_request *r = &line->request;
-  po_status status = po_texts_read(&line->scene.given, r);
-  if (!status)
-    status = po_texts_check_waves(&line->scene.given);
-  if (status)
-    return status;
-  if (r->creep.kind != PO_CREEP_NONE)
-    return po_fail(PO_BAD_INPUT,
-                   "viscoelastic is given: expected elastic particles, whose force is a "
-                   "function of the overlap");
-  po_scene_options_warn(&line->scene.given);
-  if (isnan(r->preload.approach) && isnan(r->preload.load) && isnan(r->approach_end) &&
-      po_profile_is_sphere(&r->scene.profile))
-    r->preload.load = PO_LAW_PRELOAD;
-  if (isinf(r->preload.approach))
-    return po_fail(PO_BAD_INPUT,
-                   "--preload is inf: expected a finite number, up to which the law is "
-                   "tabulated");
-  r->want = PO_WANT_HYSTERESIS;
-  r->stop = po_interrupt_listen();
-  return po_request_check(r);
-}
-
-/* The numbers of the law of another radius. */
-static po_status of_other_radius(const po_request *request, double factor,
-                                 po_particle_numbers *numbers) {
-  po_request other = *request;
-  other.scene.tabor *= po_cbrt(factor);
-  other.preload = (po_preload){NAN, PO_USUAL_PRELOAD}; /* which is beyond the jumps and cheap */
-  other.approach_start = other.approach_end = NAN;
-  return po_particle_law_numbers(&other, numbers);
-}
-
-static po_status write_text(const law_line *line, const po_particle_text *t) {
-  po_text text = {0};
-  po_status status = po_particle_text_add(t, line->format, &text);
-  if (!status && text.failed)
-    status = PO_NO_MEMORY;
-  if (!status && line->output) {
-    status = po_file_write(line->output, text.data, text.length);
-    po_text_clear(&text);
-    if (!status) {
-      po_particle_text_describe(t, "", &text);
-      status = po_text_print(&text);
-    }
-  } else if (!status) {
-    status = po_text_print(&text);
-  }
-  po_text_clear(&text);
-  return status;
-}
-
-/* Appends the options of the scene: those of a scene in SI units as they were given. */
-static void add_scene(const law_line *line, po_text *made) {
-  const po_texts *given = &line->scene.given;
-  if (!line->request.in_si) {
-    po_request shown = line->request;
-    po_text command = {0};
-    shown.want = 0;
-    po_input_add_command(&shown, &command);
-    po_text_add(made, "%s", po_text_string(&command) + strlen("pulloff solve"));
-    made->failed = made->failed || command.failed;
-    po_text_clear(&command);
-    return;
-  }
-  po_text_add(made, " --from-physical");
-  for (int key = 0; key < PO_KEY_ALL; ++key) {
-    char flag[PO_FLAG_LENGTH];
-    if (!given->text[key])
-      continue;
-    if (key == PO_KEY_WAVES) {
-      po_input_add_waves(made, given->text[key]);
-      continue;
-    }
-    po_key_flag(key, flag);
-    po_text_add(made, " --%s ", flag);
-    po_text_add_word(made, given->text[key]);
-  }
-}
-
-/* Excess of the pull-off force of the parabola over that of the sphere, by JKR theory, from which
- * on a warning is due. */
-static const double EXCESS_OF_PARABOLA = 0.04;
-
-/* Warns if the contact is so wide that the parabola is no sphere. In reduced units a law belongs to
- * parabolas of every radius, and there is no sphere to compare with. */
-static void warn_of_parabola(const po_request *request) {
-  const po_scene *scene = &request->scene;
-  if (!request->in_si || !po_profile_is_sphere(&scene->profile) || !(scene->tabor > 0.0))
-    return;
-  const double excess = PO_THEORY_FORCES.parabola_excess(scene);
-  if (excess > EXCESS_OF_PARABOLA)
+/* Warns if the contact is so wide that the parabola is no sphere. */
+static void warn_of_parabola(const po_request *request, double excess) {
+  if (excess > PO_LAW_PARABOLA_EXCESS)
     fprintf(stderr,
             "pulloff: warning: the contact is so wide that by JKR theory the parabola r^2/(2R) "
             "pulls %.0f %% more than a sphere; --profile exact_sphere:%.6g is the sphere\n",
-            100.0 * excess, scene->radius * request->units.length);
+            100.0 * excess, request->scene.radius * request->units.length);
 }
 
-static po_status make_law(const law_line *line) {
-  po_particle_law law;
-  po_particle_numbers half, twice;
-  po_status status = po_particle_law_make(&line->request, line->error, &law);
-  if (status)
-    return status;
-  po_particle_text t = {&law, &line->request, line->name, NULL, NULL, NULL};
-  const po_scene *scene = &line->request.scene;
-  if (!line->request.in_si && po_scene_is_simple(scene) && po_profile_is_sphere(&scene->profile) &&
-      scene->tabor > 0.0 && !of_other_radius(&line->request, 0.5, &half) &&
-      !of_other_radius(&line->request, 2.0, &twice)) {
-    t.half = &half;
-    t.twice = &twice;
-  }
-  warn_of_parabola(&line->request);
-  char error[PO_NUMBER_LENGTH];
-  po_number_print(line->error, error);
-  po_text made = {0};
-  po_text_add(&made, "pulloff contact-law");
-  add_scene(line, &made);
-  po_text_add(&made, " --format %s --error %s", PO_PARTICLE_FORMATS[line->format], error);
-  t.command = po_text_string(&made);
-  status = made.failed ? PO_NO_MEMORY : write_text(line, &t);
-  po_text_clear(&made);
-  po_particle_law_clear(&law);
+static po_status make_one(po_law_line *line) {
+  po_law_made made = {.numbers = {0}};
+  po_status status = po_law_line_complete(line, true);
+  if (!status)
+    status = po_law_line_make(line, &made);
+  if (!status)
+    warn_of_parabola(&line->request, made.parabola_excess);
+  if (!status && line->output)
+    status = po_file_write(line->output, made.file.data, made.file.length);
+  if (!status)
+    status = po_text_print(line->output ? &made.said : &made.file);
+  po_law_made_clear(&made);
   return status;
 }
 
 int po_verb_contact_law(int argc, char **argv) {
   const po_options options = {
       "contact-law", HELP, OPTIONS, argc, argv, 0, NULL, PO_FOR_COMPARE, po_scene_options_take};
-  law_line line = {.request = po_input_default(),
-                   .scene = po_scene_options_begin(),
-                   .format = PO_PARTICLE_C,
-                   .error = 1e-4,
-                   .name = "pulloff_law"};
+  po_law_line line = {.request = po_input_default(),
+                      .scene = po_scene_options_begin(),
+                      .format = PO_PARTICLE_C,
+                      .error = 1e-4,
+                      .name = "pulloff_law",
+                      .jobs = -1};
   po_status status = PO_OK;
   if (!po_options_read(&options, &line, &status))
     return po_options_end(status);
-  status = complete_line(&line);
-  if (!status)
-    status = make_law(&line);
-  return po_options_end(status);
+  line.request.stop = po_interrupt_listen();
+  if (line.sets)
+    return po_options_end(po_law_sets(&line));
+  return po_options_end(line.jobs >= 0
+                            ? po_fail(PO_BAD_INPUT, "--jobs has no effect without --sets")
+                            : make_one(&line));
 }

@@ -6,9 +6,12 @@ import csv
 import math
 import pathlib
 import shutil
+import signal
 import subprocess
+import time
 
 import pytest
+import conftest
 from conftest import document, expect, run
 
 SI = "--from-physical --modulus-pa 1.3385e9 --work-j-per-m2 0.0537 --distance-m 3.1e-10 --radius-m 2.7e-8"
@@ -385,3 +388,91 @@ def test_a_contact_too_wide_for_a_parabola_is_warned_of(more, warns):
     done = run(f"contact-law --from-physical {modulus} --work-j-per-m2 0.03 --error 1e-2 {more}" + ("" if "exact" in more else " --radius-m 2e-8"))
     assert done.code == 0
     assert ("pulls 32 % more than a sphere; --profile exact_sphere:2e-08 is the sphere" in done.err) == warns and ("warning" in done.err) == warns
+
+
+def summary(folder):
+    lines = pathlib.Path(folder, "summary.csv").read_text().splitlines()
+    return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def macro(text, name):
+    found = [line for line in text.splitlines() if line.startswith(f"#define {name} ")]
+    return float(found[0].split("(")[1].rstrip(")")) if found else math.nan
+
+
+def test_sets():
+    """Each row has the file and the numbers of a command of its own, in any number of threads; a refused scene is a row."""
+    rows = ["1.37,0.21,17", "2.911,1.4,20", "0.44,-,-", "3.1,0.13,-1"]
+    pathlib.Path("sets.csv").write_text("tabor,amplitude,wavelength\n" + "\n".join(rows) + "\n")
+    said = expect(0, "", "contact-law --sets sets.csv --error 1e-3 --name pair --output one -j1").out
+    assert said.startswith("2 laws in one, with summary.csv\n2 rows have no law, the first is row 2: loading up to approach")
+    assert expect(0, "", "contact-law --sets sets.csv --error 1e-3 --name pair --output two -j2").out == said.replace("in one", "in two")
+    found, other = summary("one"), summary("two")
+    assert [{**row, "seconds": ""} for row in found] == [{**row, "seconds": ""} for row in other]
+    assert [row["status"] for row in found] == ["ok", "bad_input", "ok", "bad_input"]
+    assert sorted(path.name for path in pathlib.Path("one").iterdir()) == ["pair_1.h", "pair_3.h", "summary.csv"]
+    for row, cells in zip(found, rows):
+        words = [f"--{key} {cell}" for key, cell in zip(("tabor", "amplitude", "wavelength"), cells.split(",")) if cell != "-"]
+        alone = run(f"contact-law {' '.join(words)} --error 1e-3 --name pair_{row['row']}")
+        assert ",".join(row[key] for key in ("tabor", "amplitude", "wavelength")) == cells
+        if row["status"] != "ok":
+            assert alone.code == 2 and alone.err.replace("--", "") == f"pulloff: {row['reason']}\n" and row["file"] == "-"
+            assert math.isnan(float(row["pull_off_force"]))
+            continue
+        text = pathlib.Path("one", row["file"]).read_text()
+        assert text == alone.out == pathlib.Path("two", row["file"]).read_text() and row["reason"] == "-"
+        for column, name in (("jump_in", "JUMP_IN"), ("jump_out", "JUMP_OUT"), ("pull_off_force", "PULL_OFF"), ("energy_lost", "ENERGY_LOST")):
+            assert float(row[column]) == pytest.approx(macro(text, f"PAIR_{row['row']}_{name}"), rel=1e-12, nan_ok=True)
+        assert f"force within {float(row['force_error']):.1e} of" in text and 0 < float(row["seconds"]) < 600
+    assert float(found[0]["jump_out"]) < float(found[0]["jump_in"]) and math.isnan(float(found[2]["jump_in"]))
+
+
+def test_sets_in_si_units():
+    """Cells with a list, numbers that a row does not give, units of the columns; a contact too wide for a parabola is warned of."""
+    pathlib.Path("sets.csv").write_text("radius_m,modulus_pa,law\n1e-7;3e-7,2e9,-\n2e-8,6.67e6,morse:3\n-1,2e9,-\n")
+    words = "--from-physical --work-j-per-m2 0.03 --distance-m 3e-10 --error 1e-2 --format csv"
+    done = run(f"contact-law {words} --sets sets.csv --output laws")
+    assert done.code == 0 and "in 1 of 3 rows the contact is so wide" in done.err and "in row 2 by 32 %" in done.err
+    found = summary("laws")
+    assert [row["status"] for row in found] == ["ok", "ok", "bad_input"] and found[2]["reason"].startswith("radius_m is -1: expected")
+    for row, scene in zip(found, ("--radius-m 1e-7,3e-7 --modulus-pa 2e9", "--radius-m 2e-8 --modulus-pa 6.67e6 --law morse:3")):
+        alone = run(f"contact-law {words} {scene} --name {row['file'][:-4]}").out
+        assert pathlib.Path("laws", row["file"]).read_text() == alone
+        forces = [float(line.split(",")[2]) for line in alone.splitlines() if line.startswith("in,")]
+        assert float(row["pull_off_force_n"]) == pytest.approx(-min(forces), rel=0.02)
+        assert 0 < float(row["energy_lost_j"]) and float(row["jump_out_m"]) < float(row["jump_in_m"]) < 0
+
+
+@pytest.mark.parametrize("code, message, table, words", [
+    (2, "--output is missing: expected a folder for the laws of --sets", "tabor\n1\n", ""),
+    (2, "sets.csv:1: the column tabor is given, too: expected it or --tabor", "tabor\n1\n", "--output laws --tabor 2"),
+    (2, "sets.csv:1: the column stiffness has no effect on a law: *", "stiffness\n1\n", "--output laws"),
+    (2, "sets.csv:1: the column radius_m is in SI units: expected --from-physical beside --sets", "radius_m\n1\n", "--output laws"),
+    (2, "sets.csv:1: the column taber is unknown: expected names of keys", "taber\n1\n", "--output laws"),
+    (2, "sets.csv has no rows: *", "tabor\n", "--output laws"),
+    (2, "no row of sets.csv has a law; row 1: tabor is -1: expected a finite number >= 0", "tabor\n-1\n", "--output laws"),
+    (3, "no row of sets.csv has a law; row 1: the law has no connected branch *", "tabor\n2\n", "--output laws --time-limit 1e-4"),
+    (2, "--jobs is x: expected a whole number, 0 for all cores", "tabor\n1\n", "--output laws -j x"),
+    (4, "*sets.csv/laws*", "tabor\n1\n", "--output sets.csv/laws"),
+])
+def test_messages_of_sets(code, message, table, words):
+    pathlib.Path("sets.csv").write_text(table)
+    expect(code, f"pulloff: {message}", f"contact-law --sets sets.csv {words}")
+
+
+def test_jobs_need_sets():
+    expect(2, "pulloff: --jobs has no effect without --sets", "contact-law --tabor 1 -j2")
+
+
+def test_sets_that_are_interrupted():
+    """The summary has the rows so far; the others are interrupted."""
+    pathlib.Path("sets.csv").write_text("tabor\n" + "".join(f"{1 + k / 50}\n" for k in range(60)))
+    words = [conftest.PROGRAM, "contact-law", "--sets", "sets.csv", "--output", "laws", "-j1"]
+    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as process:
+        while process.poll() is None and not pathlib.Path("laws/pulloff_law_01.h").exists():
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate()
+    states = [row["status"] for row in summary("laws")]
+    assert process.returncode == 130 and "laws/summary.csv has " in said
+    assert len(states) == 60 and states[0] == "ok" and states[-1] == "interrupted" and set(states) == {"ok", "interrupted"}

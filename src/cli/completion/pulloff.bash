@@ -32,7 +32,7 @@ _pulloff() {
     action=(-f -X '!*.yaml')
     ;;
   *:--output | *:-o | *:--run) case $verb in contact-law | profile) action=(-f) ;; *) action=(-d) ;; esac ;;
-  *:--curve | *:--profile-csv | *:--profile-file | *:--smoothed | *:--staircase | *:--loop | *:--history | *:--summary | *:--plot | *:--junit)
+  *:--curve | *:--profile-csv | *:--profile-file | *:--smoothed | *:--staircase | *:--loop | *:--history | *:--sets | *:--summary | *:--plot | *:--junit)
     action=(-f)
     ;;
   *:--*) words=$(_pulloff_values "$program" "$verb" "$before") ;;
