@@ -81,10 +81,13 @@ class Curve:
     @functools.cached_property
     def baseline(self):
         """Slope of these halves, the zero of each by itself, and its standard error by the noise. A half ends before a jump and
-        before the attraction bends it: it is shortened as long as a parabola finds a bend in it."""
+        before the attraction bends it: it is shortened as long as a parabola finds a bend in it. One with fewer than 8 samples before
+        the jump is left out."""
         jumps, ways = self.jumps(), []
         for (position, force), jump in zip((self.into, self.out), jumps):
-            n = max(8, min(len(position) // 2, len(position) if jump is None else jump - BESIDE))
+            n = min(len(position) // 2, len(position) if jump is None else jump - BESIDE)
+            if n < 8:
+                continue
             while n > 16:
                 (bend, *_), matrix = np.polyfit(position[:n] - position[:n].mean(), force[:n], 2, cov="unscaled")
                 if abs(bend) < CLEAR_SLOPE / 2 * self.noise * np.sqrt(matrix[0, 0]):
@@ -92,6 +95,8 @@ class Curve:
                 n = int(0.8 * n)
             ways.append((position[:n] - position[:n].mean(), force[:n]))
         squares = sum(x @ x for x, _ in ways)
+        if not ways:
+            return 0.0, self.noise / np.ptp(self.into[0])
         return sum(x @ y for x, y in ways) / squares, self.noise / np.sqrt(squares)
 
     def levelled(self, slope) -> Curve:
@@ -113,8 +118,11 @@ class Curve:
 
 
 def turned(position, force):
-    """A way in or out with positions that grow towards the sample."""
-    order = np.argsort(position, kind="stable")
+    """A way in or out with positions that grow towards the sample. At one position, but for rounding, the samples of a jump keep their
+    order along the way."""
+    if position[0] > position[-1]:
+        position, force = position[::-1], force[::-1]
+    order = np.argsort(np.round(position / (1e-9 * max(np.ptp(position), 1e-300))), kind="stable")
     return position[order], force[order]
 
 
@@ -341,7 +349,8 @@ def fit_curve(curve: Curve, radius: float, stiffness: float = np.inf, sloping: b
         raise NoFit("no attraction above the noise on the way out")
     if len(data[1][0]) < 8:
         raise NoFit("fewer than 8 samples in contact")
-    if np.median(curve.out[1][:5]) < curve.zero - CLEAR_JUMP * curve.noise:
+    z, force = (values[:5] for values in curve.out)
+    if np.median(force - np.interp(z, *curve.into)) < -CLEAR_JUMP * curve.noise:  # both ways attract where the bodies are apart
         raise NoFit("the way out ends in contact: expected positions to beyond the jump out of it")
     tried = []
     for tabor in TABORS:
