@@ -88,6 +88,7 @@ class Result(Mapping[str, Any]):
         phase (loading, unloading), jump (whether a jump ends at the row), base, approach, indentation, contact_radius
         (epsilon), load (pi w R), stiffness (pi w R/epsilon, nan at a fold), energy_lost (pi w R epsilon, in that jump);
         empty unless wanted.
+    digest: 16 digits that stand for all results; equal digests are equal results, to the last bit.
     document: the JSON document of `pulloff solve --json` as dictionaries and lists. Its numbers are those above to the
         last bit. A result is a mapping of it: result["hysteresis"] is result.document["hysteresis"].
     units: the Units of its scene, if that is in SI units; in a series each result has its own.
@@ -108,6 +109,10 @@ class Result(Mapping[str, Any]):
     @property
     def reason(self) -> str:
         return self.document["reason"]  # type: ignore[no-any-return]
+
+    @property
+    def digest(self) -> str:
+        return self.document["digest"]  # type: ignore[no-any-return]
 
     @property
     def loop(self) -> np.ndarray:

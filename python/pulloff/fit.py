@@ -122,7 +122,9 @@ def turned(position, force):
     order along the way."""
     if position[0] > position[-1]:
         position, force = position[::-1], force[::-1]
-    order = np.argsort(np.round(position / (1e-9 * max(np.ptp(position), 1e-300))), kind="stable")
+    order, place = np.argsort(position, kind="stable"), np.zeros(len(position), int)
+    place[order[1:]] = np.cumsum(np.diff(position[order]) > 1e-12 * np.ptp(position))
+    order = np.argsort(place, kind="stable")
     return position[order], force[order]
 
 

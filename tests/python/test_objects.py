@@ -89,6 +89,7 @@ class Copies(unittest.TestCase):
                 other = duplicate(result)
                 self.assertEqual(other, result)
                 self.assertEqual(other["digest"], result["digest"])
+                self.assertEqual(other.digest, result["digest"])
                 self.assertEqual((other.pull_off, other.status, other.reason), (result.pull_off, "ok", ""))
                 for name in ("folds", "extrema", "curve", "profile"):
                     one, two = getattr(other, name), getattr(result, name)
