@@ -22,6 +22,14 @@ has '^measured +1 +0 +0'
 has '^rigid:tips .*coverage 1/2 points, 2/4 checks'
 has 'rigid:tips pull_off_force, tabor=0.1: outside'
 check 'verdicts for continuous integration' test "$(grep -c '<testcase ' empty/verdicts.xml)" = 5
+# The recipe for GitHub wrote the verdicts for its viewer and did not keep them.
+for recipe in gitlab-ci verify; do
+  recipe=$here/../../doc/examples/ci/$recipe.yml
+  check "$recipe verifies" grep -q 'pulloff verify .* --output verdicts --junit verdicts.xml' "$recipe"
+  grep -v 'pulloff verify' "$recipe" >rest
+  check "$recipe keeps the record" grep -qE '(paths: \[|^ *)verdicts\]?($|,)' rest
+  check "$recipe keeps the verdicts" grep -q 'verdicts\.xml' rest
+done
 check 'pins are beside the case' test -s empty/my/pins/tips.csv
 
 # The solver of the page without its repeats.

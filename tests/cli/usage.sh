@@ -16,6 +16,7 @@ for verb in solve compare follow theory contact-law profile fit plot list plan r
   cp "$work/stdout" "$work/help"
   expect 0 '' "$verb" --help
   check "the same help of $verb by -h" cmp -s "$work/stdout" "$work/help"
+  check "no line of the help of $verb is longer than 100 characters" [ -z "$(grep -E '.{101}' "$work/stdout")" ]
   check "help of $verb has an example" grep -q "^Example: pulloff $verb" "$work/stdout"
   expect 2 "pulloff: unknown option --frobnicate of $verb (see pulloff $verb --help)" \
     "$verb" --frobnicate
