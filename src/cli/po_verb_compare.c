@@ -151,6 +151,8 @@ static po_status print(const po_solve_line *line, const po_result *result) {
   if (line->json)
     return po_print_json(&line->request, &line->scene.given, result);
   po_print_summary(&line->request, result);
+  if (line->request.in_si)
+    po_print_physical_pull_off(&line->request.units, result);
   print_theories(result, line->request.in_si ? &line->request.units : NULL);
   return po_print_digest(po_json_document(&line->request, result));
 }

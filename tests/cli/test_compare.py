@@ -212,3 +212,11 @@ def test_documents_name_every_theory():
     schema = json.loads((ROOT / "doc/pulloff-1.schema.json").read_text())
     assert schema["$defs"]["theory_row"]["properties"]["theory"]["enum"] == NAMES + OF_RATE
     assert all(f"| `{name}` |" in guide and name in help_of for name in NAMES + OF_RATE)
+
+
+def test_the_computed_force_in_si_units():
+    """Force, approach and errors in nN and nm are those of solve; only the forces of the theories were in nN."""
+    words = "--from-physical --young-pa 3.3e9 --poisson 0.35 --work-j-per-m2 0.047 --distance-m 3e-10 --radius-m 4.5e-8"
+    lines = [line for line in expect(0, "", f"compare {words}").out.splitlines() if line.startswith(("pull-off", "errors"))]
+    assert len(lines) == 4 and " nN at approach" in lines[2]
+    assert lines == [line for line in expect(0, "", f"solve {words}").out.splitlines() if line.startswith(("pull-off", "errors"))]

@@ -50,6 +50,9 @@ void po_print_physical_input(const po_texts *given);
 /* The input and the results in SI units, for scenes given with --from-physical. */
 void po_print_physical(const po_texts *given, const po_request *request, const po_result *result);
 
+/* The pull-off and its errors in SI units, if there is one. */
+void po_print_physical_pull_off(const po_units *units, const po_result *result);
+
 /* A line for each source of uncertainty of the pull-off force, and one for all. Given: the unit of
  * the force, as a factor and by name. */
 void po_print_uncertain(const po_result *result, double unit, const char *name);

@@ -233,11 +233,14 @@ void po_print_uncertain(const po_result *result, double unit, const char *name) 
            rounded(result->uncertainty * unit), name);
 }
 
-void po_print_physical(const po_texts *given, const po_request *request, const po_result *o) {
+static units_of_point units_of_pull_off(const po_units *units, const po_result *o) {
   greatest g = {0};
   take_greatest(&g, o->pull_off.approach, o->pull_off.force, o->pull_off.contact_radius);
-  const units_of_point u = units_for(&request->units, &g);
-  po_print_physical_input(given);
+  return units_for(units, &g);
+}
+
+void po_print_physical_pull_off(const po_units *units, const po_result *o) {
+  const units_of_point u = units_of_pull_off(units, o);
   if (o->has_pull_off)
     printf("pull-off force %.10g %s at approach %.10g %s, contact radius %.8g %s\n",
            o->pull_off.force * u.load.factor, u.load.text, o->pull_off.approach * u.approach.factor,
@@ -247,6 +250,12 @@ void po_print_physical(const po_texts *given, const po_request *request, const p
            o->pull_off.force_error * u.load.factor, u.load.text,
            o->pull_off.approach_error * u.approach.factor, u.approach.text,
            o->pull_off.contact_radius_error * u.radius.factor, u.radius.text);
+}
+
+void po_print_physical(const po_texts *given, const po_request *request, const po_result *o) {
+  const units_of_point u = units_of_pull_off(&request->units, o);
+  po_print_physical_input(given);
+  po_print_physical_pull_off(&request->units, o);
   po_print_uncertain(o, u.load.factor, u.load.text);
   print_sensitivity(request, o);
   print_preload(&request->units, o);
