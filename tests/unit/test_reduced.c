@@ -229,7 +229,15 @@ TEST(a_jump_that_the_true_range_does_not_make_is_not_made) {
   ck_assert_double_eq_tol(reduced.pull_off.force, exact.pull_off.force,
                           reduced.pull_off.force_error + exact.pull_off.force_error);
   ck_assert_double_lt(reduced.pull_off.force, 0.2);
+  const double force = reduced.pull_off.force;
   po_result_clear(&exact);
+  po_result_clear(&reduced);
+  request.range = PO_RANGE_REDUCED; /* whose loops make the jump */
+  request.want = PO_WANT_HYSTERESIS;
+  ck_assert_int_eq(po_solve(&request, &reduced), PO_NOT_CONVERGED);
+  ck_assert_ptr_nonnull(strstr(reduced.reason, "loading is reversed before a jump"));
+  ck_assert(reduced.has_pull_off && !reduced.has_hysteresis);
+  ck_assert_double_eq(reduced.pull_off.force, force);
   po_result_clear(&reduced);
 }
 

@@ -274,6 +274,13 @@ static po_status undecided(const po_ranges *ranges, po_result *o) {
       ranges->range[ranges->count - 1], ranges->range[0]);
 }
 
+/* Fails, with the pull-off, because the loops of the ranges reverse beyond another jump. */
+static po_status without_loops(void) {
+  return po_fail(PO_NOT_CONVERGED,
+                 "with the true range of the attraction loading is reversed before a jump that "
+                 "greater ones make, whose loops are others: expected the range exact");
+}
+
 /* A solve: the ranges, two traces, and tracks of special points. */
 typedef struct {
   po_ranges ranges;
@@ -529,8 +536,7 @@ po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, 
                      s->ranges.range[s->ranges.count - 1], s->ranges.range[0]);
   result->work = s->work;
   if (!status && request->want & PO_WANT_HYSTERESIS)
-    status = s->is_reversed_before ? undecided(&s->ranges, result)
-                                   : po_reduced_loops(&s->ranges, solve, result);
+    status = s->is_reversed_before ? without_loops() : po_reduced_loops(&s->ranges, solve, result);
   clear_trace(&s->before);
   clear_trace(&s->now);
   free(s);
