@@ -120,7 +120,7 @@ typedef struct {
   double moved;        /* derivative of energy by the held quantity at which the jumps begin:
                           |load before - load after|, at given load |approach before - approach after| */
   double size;         /* 1 + |load before| + |load after| */
-  double of_held;      /* moved times the error of that quantity by interpolation */
+  double of_held;      /* moved times po_path_doubt.held */
   po_path_doubt doubt; /* where the jumps end */
   size_t jumps;
 } po_loss;

@@ -55,7 +55,8 @@ typedef struct {
   bool has_base;                   /* whether there is a spring */
   int base_modes;                  /* the same at a given base of the spring */
   double held_miss; /* where a spring jumps between two points of the branch: bound of the error of
-                       the position of the base by interpolation; otherwise 0 */
+                       the position of the base by interpolation and by the load that the panels
+                       miss; otherwise 0 */
   bool minimum;     /* whether the load has a local minimum here; of a trace and of the JKR curve
                        only, not in documents */
 } po_curve_point;

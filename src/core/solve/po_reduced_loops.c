@@ -89,7 +89,7 @@ static po_path_state state_of(const bundle *b, const po_range_limit *limit, ptrd
 #undef MEMBER
 }
 
-/* What bounds all numbers of the loops. */
+/* Keeps the greatest errors of approaches and loads at the ends of jumps. */
 static void take_greatest(const po_path_error *error, po_range_loops *worst) {
   worst->approach = fmax(worst->approach, error->approach);
   worst->load = fmax(worst->load, error->load);
