@@ -162,8 +162,8 @@ typedef struct {
     bool is_reduced; /* whether it was one; then the special points are those of which the limit is
                         known */
     double least, greatest; /* the last six ranges, relative to that of the scene */
-    double change; /* of the force from the least range to the true one, / (pi w R) */
-    po_range_loops loops; /* if they are wanted */
+    double change;          /* of the force from the least range to the true one, / (pi w R) */
+    po_range_loops loops;   /* if they are wanted */
   } range;
   po_special_point *folds; /* along the branch */
   size_t fold_count;
