@@ -104,6 +104,25 @@ TEST(a_harder_preload_may_give_a_smaller_force) {
   clear(s);
 }
 
+/* Where the base of a spring turns between two points, what the panels miss of the load there, over
+ * the stiffness, is an error of its position. */
+TEST(the_turn_of_a_base_has_the_error_of_the_load_beside_it) {
+  const double stiffness = 0.5, error = 0.02;
+  const po_curve_point ends[] = {{.approach_rate = 1.0, .load_error = 0.5 * error},
+                                 {.position = 1.0,
+                                  .approach = 1.0,
+                                  .load = -stiffness,
+                                  .approach_rate = 1.0,
+                                  .load_rate = -2.0 * stiffness,
+                                  .load_error = error}};
+  po_path path = {.point = ends, .count = 2};
+  po_curve_point *point;
+  ck_assert_int_eq(po_path_add_extrema(&path, stiffness, &point), PO_OK);
+  ck_assert_uint_eq(path.count, 3);
+  ck_assert_double_eq_tol(path.point[1].held_miss, error / stiffness, 1e-15);
+  free(point);
+}
+
 /* A point next to a minimum may lie below it by the discretisation error. A test measures the
  * minimum. An earlier version gave one of 1,000 random scenes a pull-off that no preload produces.
  */
