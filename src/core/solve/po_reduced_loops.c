@@ -19,11 +19,11 @@ typedef struct {
   po_result solved[SOLVES];
   int count;
   po_range_limit edges, crests;
-} ladder;
+} loops_of_ranges;
 
-/* The loops of one test at the ranges of a ladder. */
+/* The loops of one test at several ranges. */
 typedef struct {
-  const ladder *of;
+  const loops_of_ranges *of;
   int test;
 } bundle;
 
@@ -156,14 +156,15 @@ static void take_loop(const bundle *b, const po_result *o, po_loop *loop, po_ran
 
 /* -- The solves -- */
 
-static void clear(ladder *l) {
+static void clear(loops_of_ranges *l) {
   for (int k = 0; k < l->count; ++k)
     po_result_clear(&l->solved[k]);
   l->count = 0;
 }
 
-/* Solves with one range and adds it to the ladder; the first gives way if it is full. */
-static po_status climb(ladder *l, double range, po_reduced_solver *solve, po_work *work) {
+/* Solves with one range and adds its loops; the first gives way if there are SOLVES. */
+static po_status add_range(loops_of_ranges *l, double range, po_reduced_solver *solve,
+                           po_work *work) {
   po_request request = po_reduced_request(l->request, range);
   request.want = PO_WANT_HYSTERESIS;
   request.watch = NULL;
@@ -202,7 +203,7 @@ static double error_of_loss(const bundle *b) {
 
 /* Whether the limits of the loops at given approach and through a spring are known; and the
  * greatest error of the energy lost over the tolerance times the energy. */
-static bool is_known(ladder *l, double *excess) {
+static bool is_known(loops_of_ranges *l, double *excess) {
   *excess = INFINITY;
   if (l->count < SOLVES)
     return false;
@@ -223,7 +224,7 @@ static bool is_known(ladder *l, double *excess) {
 }
 
 /* Whether there are loops at given load with the same jumps at all ranges. */
-static bool is_known_at_load(const ladder *l) {
+static bool is_known_at_load(const loops_of_ranges *l) {
   const bundle b = {l, PO_AT_LOAD};
   bool has_load = l->count == SOLVES;
   for (int k = 0; k < l->count; ++k)
@@ -232,7 +233,7 @@ static bool is_known_at_load(const ladder *l) {
 }
 
 /* Whether a loop at given load, which the last range has, needs another one. */
-static bool lacks_load(const ladder *l) {
+static bool lacks_load(const loops_of_ranges *l) {
   return l->count > 0 && l->solved[l->count - 1].hysteresis.has_load && !is_known_at_load(l);
 }
 
@@ -247,8 +248,8 @@ static bool jumps_before_preload(const po_loop *loop, const po_range_loops *wors
   return true;
 }
 
-/* Moves the loops of the ladder into the result, as limits. */
-static po_status take_loops(ladder *l, po_result *o) {
+/* Moves the loops of all ranges into the result, as limits. */
+static po_status take_loops(loops_of_ranges *l, po_result *o) {
   po_hysteresis *from = &l->solved[SOLVES - 1].hysteresis, to = *from;
   po_range_loops *worst = &o->range.loops;
   *worst =
@@ -275,14 +276,14 @@ static po_status take_loops(ladder *l, po_result *o) {
 }
 
 po_status po_reduced_loops(const po_ranges *ranges, po_reduced_solver *solve, po_result *result) {
-  ladder l = {.request = ranges->request};
+  loops_of_ranges l = {.request = ranges->request};
   po_status status = PO_OK;
   double excess = INFINITY;
   bool known = false;
   for (int at = 0, made = 0;
        at < ranges->count && made < MOST && !status && (excess > ENOUGH || lacks_load(&l));
        at += STRIDE, ++made) {
-    status = climb(&l, ranges->range[at], solve, &result->work);
+    status = add_range(&l, ranges->range[at], solve, &result->work);
     const bool fails = status && !po_reduced_ends(status);
     if (fails)
       status = PO_OK;
