@@ -130,6 +130,26 @@ TEST(gaps_stay_above_the_singularity_of_the_law) { /* from a bad initial guess *
   tear_down(&f);
 }
 
+/* Where a gap of the state of the factors is closed so far that the law is 1e9 times as stiff, a
+ * gap there hardly changes, whatever its error. */
+TEST(a_state_that_does_not_move_is_no_equilibrium) {
+  enum { CLOSED = 30 };
+  fixture f;
+  set_up(&f, 2.385, -5.3);
+  double base[NODES + 1], closed[NODES + 1], state[NODES + 1];
+  for (int j = 0; j <= NODES; ++j)
+    base[j] = f.state[j];
+  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
+  ck_assert_int_eq(po_equilibrium_correct(f.e, f.state, base, 0.0), PO_OK);
+  for (int j = 0; j <= NODES; ++j)
+    closed[j] = state[j] = f.state[j];
+  closed[CLOSED] = -0.9;
+  state[CLOSED] += 0.01;
+  ck_assert_int_eq(po_equilibrium_factorize(f.e, closed, f.border), PO_OK);
+  ck_assert_int_eq(po_equilibrium_correct(f.e, state, f.state, 0.0), PO_NOT_CONVERGED);
+  tear_down(&f);
+}
+
 /* Computes an equilibrium, its tangent, and the rates of the nodal arclength along the tangent. */
 static void solve(fixture *f, double *tangent, double *rate) {
   double base[NODES + 1];

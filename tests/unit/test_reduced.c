@@ -321,22 +321,13 @@ TEST(the_deepest_minimum_is_that_of_the_true_range) {
 }
 
 /* The contact edges of this scene are not so narrow that greater ranges are chosen, but its trace
- * takes 1,800 points. */
+ * takes 3,100 points; it has the force 5.483464565 +- 2.5e-8. */
 TEST(a_long_trace_gives_way_to_greater_ranges) {
-  po_request request = request_of(184.343, 17004.4, 18.4363, 660.668);
-  request.preload.load = 5.1584;
-  po_result exact, taken;
+  po_request request = request_of(49.4742, 50710.4, 27.2957, 862.874);
+  request.preload.load = 5.3;
+  po_result taken;
   ck_assert_int_eq(po_solve(&request, &taken), PO_OK);
   ck_assert(taken.range.is_reduced);
-  if (getenv("RUN_FEW")) { /* the whole trace is half of the work, and runs no other lines */
-    po_result_clear(&taken);
-    return;
-  }
-  request.range = PO_RANGE_EXACT;
-  ck_assert_int_eq(po_solve(&request, &exact), PO_OK);
-  ck_assert_uint_gt(exact.work.points, 1000);
-  ck_assert_double_eq_tol(taken.pull_off.force, exact.pull_off.force,
-                          taken.pull_off.force_error + exact.pull_off.force_error);
-  po_result_clear(&exact);
+  ck_assert_double_eq_tol(taken.pull_off.force, 5.483464565, taken.pull_off.force_error + 2.5e-8);
   po_result_clear(&taken);
 }

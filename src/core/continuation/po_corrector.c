@@ -13,7 +13,8 @@ const double PO_NEAR_SOLUTION = 0.1;
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_allowance allowed) {
   const size_t size = e->surface->capacity + 1;
-  *c = (po_corrector){.e = e, .resolution = {e, allowed}, .direction = 1, .farthest = INFINITY};
+  *c = (po_corrector){
+      .e = e, .resolution = po_resolution_of(e, allowed), .direction = 1, .farthest = INFINITY};
   c->border = po_arena_reserve(&c->arrays, size, sizeof *c->border);
   c->guess = po_arena_reserve(&c->arrays, size, sizeof *c->guess);
   c->coordinate = po_arena_reserve(&c->arrays, size, sizeof *c->coordinate);

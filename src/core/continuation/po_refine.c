@@ -197,7 +197,7 @@ static po_status solve_finer(po_corrector *c, const po_refinement *how, po_refin
       status = c->trouble;
   }
   c->e->precision = precision;
-  const double reached = fmax(PO_FINEST_PRECISION, c->e->noise);
+  const double reached = c->e->reached;
   for (int q = 0; q < 2 && !status; ++q) {
     r->error[q] = po_refine_error(reached, value[q] - r->value[q], r->value[q]);
     if (how->of == PO_OF_APPROACH)

@@ -92,11 +92,10 @@ typedef struct {
   double load_weight;    /* factor of the load in them, beside share */
   double approach_scale; /* what the approach is divided by, beside share: along a branch it varies
                             by a few eps and elongations at pull-off, the load by one or two */
-  double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15: of the state of the
-                   last factorisation, po_equilibrium_measure_noise; or more, where the last changes
-                   of an iteration showed more */
-  double measured_noise;          /* that of the last factorisation alone */
-  double gain;                    /* its ratio to that rounding, relative to 1 + H */
+  double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15, at the state of the
+                   last factorisation */
+  double reached; /* error of a gap, relative to 1 + H, that the last correction may have left */
+  double gain;    /* its ratio to that rounding, relative to 1 + H */
   double *weak, *weak_functional; /* (n + 1) x PO_MOST_WEAK: u and v of correct_weak */
   size_t weak_count;              /* corrections of the present factors by these */
   po_secant secant;               /* Broyden's updates since the factorisation */
@@ -177,11 +176,6 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
 /* Measures noise and gain by solving with the present factors for a residual that consists of
  * rounding. Given: the state of the factorisation. */
 void po_equilibrium_measure_noise(po_equilibrium *e, const double *state);
-
-/* Takes back the noise that iterations showed since. An iteration may show a hundred times the
- * noise that was known before: an owner that keeps factors for more than a few solutions calls this
- * before each, because otherwise states are accepted in the end that are no equilibria. */
-void po_equilibrium_reset_noise(po_equilibrium *e);
 
 /* Whether the gain asks for factors that are more accurate than the present ones. */
 bool po_equilibrium_is_coarse(const po_equilibrium *e);

@@ -20,7 +20,10 @@ typedef struct {
 typedef struct {
   const po_equilibrium *e; /* panels are relative to the core radius of its surface */
   po_allowance allowed;
+  double detail; /* po_initial_gap_detail of the scene */
 } po_resolution;
+
+po_resolution po_resolution_of(const po_equilibrium *e, po_allowance allowed);
 
 /* The last Legendre coefficients of a panel, whose size shows the error of its polynomial. */
 enum { PO_LAST_COEFFICIENTS = 3 };

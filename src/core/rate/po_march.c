@@ -140,7 +140,7 @@ po_status po_march_create(po_equilibrium *e, po_allowance allowed, const po_solu
   if (!m)
     return PO_NO_MEMORY;
   m->e = e;
-  m->resolution = (po_resolution){e, allowed};
+  m->resolution = po_resolution_of(e, allowed);
   m->options = *options;
   m->coupling = po_scene_coupling(e->scene);
   m->fields = PO_OF_CREEP + options->terms->count;

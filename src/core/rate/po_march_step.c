@@ -99,7 +99,6 @@ static po_status newton(po_march *m, double base) {
   po_equilibrium *e = m->e;
   const po_constraint constraint = {held_of, m, held_value(m, base), INFINITY};
   po_status status = PO_NOT_CONVERGED;
-  po_equilibrium_reset_noise(e); /* the factors may be those of thousands of steps ago */
   for (int fresh = e->factorized ? 0 : 1; status == PO_NOT_CONVERGED && fresh < 2; ++fresh) {
     memcpy(m->solved, m->guess, (e->n + 1) * sizeof *m->solved);
     if (fresh && (status = factorize(m, m->guess)))
