@@ -264,7 +264,7 @@ class Campaign:
             altered = self.altered(name, programs, made, place)
             if not altered:
                 continue
-            limit = detect.limit_of({"seconds": self.baseline[name]})
+            limit = detect.limit_of(self.baseline[name])
             by, _ = self.tests.run(name, altered, place, limit)
             if by and self.tests.tests[name]["cmd"][0] not in altered.values():
                 by, _ = self.tests.run(name, altered, place, limit)  # a script may time out once, so it must fail twice

@@ -137,8 +137,9 @@ class Campaign:
                 programs[name] = self.build.program(name, made, place)
             if not programs[name]:
                 continue
-            cell = detect.run(detector, programs[name], place, detect.limit_of(self.baseline[detector["name"]]))
+            cell = detect.run(detector, programs[name], place, self.baseline[detector["name"]])
             cell["caught"] = is_caught(fault, cell) and not self.baseline[detector["name"]]["by"]
+            del cell["parts"]
             cells[detector["name"]] = cell
             with self.telling:
                 self.catches[detector["name"]] += cell["caught"]
