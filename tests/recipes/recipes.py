@@ -92,13 +92,20 @@ def left_out(folder, names):
 
 
 class Copy:
-    """A copy of the tree, built."""
+    """A copy of the tree, built. What the build folder of the tree has compiled is compiled again only if a recipe changes it: ninja
+    sees it by the times of the files and by the commands, which name them relative to the build folder."""
 
-    def __init__(self, folder):
-        self.tree, self.build = folder / "tree", folder / "tree" / "build"
+    def __init__(self, built):
+        self.built = built
+        self.tree = built / "recipes" / "tree"
+        self.build = self.tree / "build"
 
     def make(self, files):
         shutil.copytree(ROOT, self.tree, ignore=left_out)
+        if (self.built / ".ninja_deps").exists():
+            shutil.copytree(self.built / "src", self.build / "src")
+            for name in (".ninja_log", ".ninja_deps"):
+                shutil.copy2(self.built / name, self.build)
         for path, text in files.items():
             (self.tree / path).parent.mkdir(parents=True, exist_ok=True)
             (self.tree / path).write_text(text, encoding="utf-8")
@@ -164,7 +171,7 @@ def main():
     parser.add_argument("--keep", action="store_true", help="keep the copy")
     given = parser.parse_args()
     recipes = [(name, read(name)) for name in NAMES if given.only in (None, name)]
-    copy, files, failed = Copy(given.build.resolve() / "recipes"), {}, False
+    copy, files, failed = Copy(given.build.resolve()), {}, False
     try:
         for name, blocks in recipes:
             carried_out(blocks, {})
