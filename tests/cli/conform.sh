@@ -60,32 +60,36 @@ expect 0 '' conform marked.yaml --output out
 # Planted factors: each is named in one line.
 conform 1 sign 'wrong +force at pull-off: the expected value times -1 \(a wrong sign\)'
 conform 1 pi 'wrong +force at pull-off: the expected value times pi in'
-conform 1 half 'wrong +force at pull-off: the expected value times 1/2 in'
-conform 1 four_thirds 'wrong +force at pull-off: the expected value times 4/3 in'
-conform 1 radius 'wrong +force at pull-off: the expected value times R in'
-conform 1 pi_radius 'wrong +force at pull-off: the expected value times pi R in'
 conform 1 random 'wrong +force at pull-off: no common factor; worst for tabor 3'
 conform 1 approach_sign 'wrong +approach at pull-off: the expected value times -1 \(a wrong sign\)' 'ok +force at pull-off'
 conform 1 shifted 'wrong +approach at pull-off: the expected value -1 eps' 'ok +force at pull-off'
 check 'one line names the fault' [ "$(grep -c '^wrong' "$work/stdout")" -eq 1 ]
 check 'the last line counts it' grep -qx '1 finding is wrong' "$work/stdout"
 
-# A manifest of soft scenes alone was asked nothing, and passed with a force times pi. The scenes come from the values
-# and the ranges of the manifest, whatever these are.
-for scene in '[{key: tabor, from: 2}, {key: radius}, {key: outer_radius}]' \
-  '[{key: tabor, from: 6, to: 8}, {key: radius}, {key: outer_radius}]' \
-  '[{key: tabor, values: [0.65]}, {key: radius}, {key: outer_radius}]' \
-  '[{key: tabor, to: 0.005}, {key: radius}, {key: outer_radius}]' \
-  '[{key: tabor, values: [0]}, {key: radius}, {key: outer_radius}]' \
-  '[{key: tabor}, {key: radius, from: 2000}, {key: outer_radius}]' \
-  '[{key: tabor}, {key: radius, values: [77]}, {key: outer_radius}]' \
-  '[{key: tabor}, {key: radius, from: 60, to: 90}, {key: outer_radius, values: [400]}]'; do
-  conform 0 good 'ok +force at pull-off: within 5 % of the expected value in [1-4] scene'
-  case $scene in
-    *'from: 2}'*) conform 1 pi 'wrong +force at pull-off: the expected value times pi in' ;;
-  esac
-  check "$scene: the scenes differ" [ -z "$(grep answered "$work/stdout" | sort | uniq -d)" ]
-done
+# Other factors and other manifests run no further line of the program: not under the sanitizers.
+if [ -z "${RUN_FEW-}" ]; then
+  conform 1 half 'wrong +force at pull-off: the expected value times 1/2 in'
+  conform 1 four_thirds 'wrong +force at pull-off: the expected value times 4/3 in'
+  conform 1 radius 'wrong +force at pull-off: the expected value times R in'
+  conform 1 pi_radius 'wrong +force at pull-off: the expected value times pi R in'
+
+  # A manifest of soft scenes alone was asked nothing, and passed with a force times pi. The scenes come from the values
+  # and the ranges of the manifest, whatever these are.
+  for scene in '[{key: tabor, from: 2}, {key: radius}, {key: outer_radius}]' \
+    '[{key: tabor, from: 6, to: 8}, {key: radius}, {key: outer_radius}]' \
+    '[{key: tabor, values: [0.65]}, {key: radius}, {key: outer_radius}]' \
+    '[{key: tabor, to: 0.005}, {key: radius}, {key: outer_radius}]' \
+    '[{key: tabor, values: [0]}, {key: radius}, {key: outer_radius}]' \
+    '[{key: tabor}, {key: radius, from: 2000}, {key: outer_radius}]' \
+    '[{key: tabor}, {key: radius, values: [77]}, {key: outer_radius}]' \
+    '[{key: tabor}, {key: radius, from: 60, to: 90}, {key: outer_radius, values: [400]}]'; do
+    conform 0 good 'ok +force at pull-off: within 5 % of the expected value in [1-4] scene'
+    case $scene in
+      *'from: 2}'*) conform 1 pi 'wrong +force at pull-off: the expected value times pi in' ;;
+    esac
+    check "$scene: the scenes differ" [ -z "$(grep answered "$work/stdout" | sort | uniq -d)" ]
+  done
+fi
 # What is expected between the rows of the table is what the program finds.
 scene='[{key: tabor, values: [7]}, {key: radius}, {key: outer_radius}]'
 conform 0 good 'ok +JKR, tabor 7, radius 100'

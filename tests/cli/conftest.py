@@ -22,19 +22,21 @@ PROGRESS = re.compile(r"^\d+/\d+ [a-z]*, .* elapsed.*\n", re.MULTILINE)  # a slo
 
 def pytest_addoption(parser):
     parser.addoption("--program", required=True, help="the program pulloff")
-    parser.addoption("--few", action="store_true", help="of each test only the first of its parameters, and all messages: for a build "
-                     "in which tests are slow, and in which only the lines count that are run")
+    parser.addoption("--few", action="store_true", help="no test with the mark `once`, and of each other test only the first of its "
+                     "parameters, and all messages: for a build in which tests are slow, and in which only the lines count that are run")
 
 
 def pytest_configure(config):
     global PROGRAM
     PROGRAM = os.path.abspath(config.getoption("--program"))
+    config.addinivalue_line("markers", "once: runs no line of src that no other test runs (measured by llvm-cov)")
 
 
 def pytest_collection_modifyitems(config, items):
     if config.getoption("--few"):
         first = {}
-        items[:] = [item for item in items if first.setdefault(item.originalname, item) is item or "message" in item.callspec.params]
+        items[:] = [item for item in items if not item.get_closest_marker("once") and (
+            first.setdefault(item.originalname, item) is item or "message" in item.callspec.params)]
 
 
 @dataclasses.dataclass

@@ -66,13 +66,15 @@ commands_work() {
   expect 0 "$2: 2 points, 2 checks: outside" merge "shard-$2" --output "merged-$2"
 }
 
-commands_work my/tip.yaml tip
 commands_work cases/mine.yaml mine # which once was taken for a case of the data folder
 commands_work "my tips/it's \"so\" & \$HOME.yaml" quoted
-commands_work "größe/überall.yaml" umlaut
 long=$(printf 'a%.0s' 1 2 3 4 5 6 7 8 9 10)
-commands_work "$long/$long/$long/$long/$long/$long/$long/$long/tip.yaml" long
-commands_work "$work/at/a/place.yaml" absolute
+# Under the sanitizers only the lines count that are run.
+if [ -z "${RUN_FEW-}" ]; then
+  commands_work "größe/überall.yaml" umlaut
+  commands_work "$long/$long/$long/$long/$long/$long/$long/$long/tip.yaml" long
+  commands_work "$work/at/a/place.yaml" absolute
+fi
 
 write_own ./-dash.yaml dash 21
 "$program" verify --output out-dash -- -dash.yaml >verify.txt 2>"$work/stderr"

@@ -5,6 +5,7 @@ parameter where a cut surface is pressed too hard; and a load below that reached
 preload can be.
 """
 
+import os
 import pathlib
 
 import pytest
@@ -45,8 +46,8 @@ ADVICE = (
     ("--tabor 5 --preload-load 1 --approach-end -2", "*; expected a greater approach_end; *", "--tabor 5 --preload-load 1 --approach-end 20"),
     (f"{NOISY} 1e-10", "*times the tolerance*: expected a larger tolerance", f"{NOISY} 1e-8"),
     ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*", "--tabor 100"),
-    (f"{NARROW} {GRASPS} --range exact", f"*edge is 3.5e-07 wavelengths wide, with * times smaller ({WIDER}), changing loads by 5e-04 where tried", f"{WIDER} {GRASPS}"),
-    (f"{NARROW} {GRASPS} --range exact", "*: expected the range auto; *", f"{NARROW} {GRASPS}", f"{NARROW} {GRASPS} --range reduced"),
+    (f"{NARROW} {GRASPS} --range exact", "*: expected the range auto; *edge is 3.5e-07 wavelengths wide, with * times smaller "
+     f"({WIDER}), changing loads by 5e-04 where tried", f"{NARROW} {GRASPS}", f"{NARROW} {GRASPS} --range reduced", f"{WIDER} {GRASPS}"),
     (f"{SOFT} --range exact --time-limit 0.5", f"*after 0.5 s of processor time*: expected the range auto; *times smaller ({SOFTER}), *", f"{SOFT} --time-limit 20",
      f"{SOFTER} --preload-load 1.8 --tolerance 1e-4"),
     ("--tabor 2 --time-limit 1e-9", "*of processor time*", "--tabor 2 --time-limit 600"),
@@ -59,5 +60,5 @@ def test_advice_helps(scene, message, all_followed):
     for end in 30, 200:
         pathlib.Path(f"{end}.csv").write_text("r,gap\n" + "".join(f"{r},{r * r / 200}\n" for r in range(end + 1)))
     expect(2 if "expected less" in message or "rows" in message else 3, message, f"solve {scene}")
-    for followed in all_followed:
+    for followed in () if "RUN_FEW" in os.environ else all_followed:  # under the sanitizers other tests run what succeeds
         assert "pull-off force" in expect(0, "", f"solve {followed}").out

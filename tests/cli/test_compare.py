@@ -68,6 +68,7 @@ def test_each_is_the_closed_form():
         "theory rumpf-rabinowicz --amplitude 1 --wavelength 20")["pull_off_force"]
 
 
+@pytest.mark.once
 def test_deviations_from_the_independent_solver():
     # reference/feng_pull_off.csv knows the force of the smooth sphere without this program
     lines = [line.split(",") for line in (ROOT / "reference/feng_pull_off.csv").read_text().splitlines()
@@ -91,6 +92,7 @@ def yes(found):
     return [name for name in NAMES if found[name]["assumptions"] == "yes"]
 
 
+@pytest.mark.once
 def test_assumptions():
     # A soft sphere with shallow waves: one disc of contact with many waves, for which JKR and its kin are made.
     assert yes(rows("--tabor 40 --amplitude 0.02 --wavelength 8 --tolerance 1e-3")) == [
@@ -134,6 +136,7 @@ def test_messages():
     assert "JKR   " in shown and "DMT" not in shown
 
 
+@pytest.mark.once
 def test_nothing_else_changes():
     for scene in ("--tabor 1", WAVY, WAVY + " --preload 1"):
         with_them, without = document(f"solve {scene} --want theories"), document(f"solve {scene}")
@@ -183,6 +186,7 @@ def test_theories_that_run_out_of_time_say_so():
     assert all(row["force"] or row["reason"] or row["theory"] == "persson-tosatti" for row in found)
 
 
+@pytest.mark.once
 def test_the_simpler_of_two_is_named():
     # Maugis-Dugdale has the force of JKR there, and was named in its place.
     assert "theories JKR -0.0 %, DMT +33.3 %; pulloff compare" in expect(0, "", "solve --tabor 1000").out

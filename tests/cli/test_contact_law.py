@@ -50,6 +50,7 @@ def area(knots, low, high):
     return total
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("scene, error", [("--tabor 2.385", 1e-4), ("--tabor 0.8", 1e-5), ("--tabor 0.37", 1e-3), ("--tabor 7.3", 1e-4),
                                           ("--tabor 1.37 --law morse:3", 1e-4), ("--profile cone:0.3 --coupling 0.4 --outer-radius 60", 1e-4),
                                           ("--tabor 0 --radius 57", 1e-3)])
@@ -103,6 +104,7 @@ def test_the_cubics_are_the_curve(scene, error):
                     assert cubic([a, b], a[0] + k * (b[0] - a[0]) / 10)[1] * (b[1] - a[1]) >= 0
 
 
+@pytest.mark.once
 def test_one_table_serves_the_same_tabor_parameter():
     """Another radius, work, modulus and distance with the same Tabor parameter has the same law in reduced units."""
     first, _, _ = law("--tabor 1.37 --radius 41")
@@ -129,6 +131,7 @@ def test_one_table_serves_the_same_tabor_parameter():
             assert abs(contact - cubic(first[branch], x, 3, 4)[0]) < 4e-3
 
 
+@pytest.mark.once
 def test_what_it_says_of_other_radii():
     """The numbers of half and twice the radius are those of the Tabor parameter that these have."""
     said = expect(0, "", "contact-law --tabor 2.385 --output law.h").out
@@ -201,6 +204,7 @@ thermo_modify format float %.15g norm no
 """
 
 
+@pytest.mark.once
 @pytest.mark.skipif(not shutil.which("lmp"), reason="LAMMPS is not installed (Debian's package lammps)")
 @pytest.mark.parametrize("tabor", [2.385, 0.37])
 def test_two_particles_of_lammps(tabor):
@@ -297,6 +301,7 @@ def numbers(*words):
     return [[float(word) for word in line.split()] for line in done.stdout.splitlines()]
 
 
+@pytest.mark.once
 @needs_compiler
 def test_two_particles_collide():
     """The kinetic energy falls by what the quasi-static path of the solver loses, so that e^2 = 1 - (v_s/v)^2 with the sticking
@@ -331,6 +336,7 @@ def test_a_law_without_jumps_loses_nothing():
         assert changes == 0 and left == pytest.approx(speed, rel=1e-4)
 
 
+@pytest.mark.once
 @needs_compiler
 @pytest.mark.parametrize("scene", ["--tabor 2.385", SI])
 def test_the_header(scene):
@@ -360,6 +366,7 @@ def test_the_header(scene):
     assert force == pytest.approx(load, rel=1e-3)
 
 
+@pytest.mark.once
 def test_output_and_names():
     shown = expect(0, "", "contact-law --tabor 2.385").out
     said = expect(0, "", "contact-law --tabor 2.385 --name my_law --output my.h").out
@@ -372,6 +379,7 @@ def test_output_and_names():
     assert expect(0, "", repeated).out == shown
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("bodies", ["--modulus-pa 2e9 --radius-m 1e-7", "--young-pa 3e9,6e9 --poisson 0.3,0.4 --radius-m 1e-7,3e-7"])
 def test_the_command_in_si_units_repeats_the_law(bodies):
     shown = expect(0, "", f"contact-law --from-physical {bodies} --work-j-per-m2 0.05 --distance-m 3e-10 --error 1e-3 --format csv").out
@@ -380,6 +388,7 @@ def test_the_command_in_si_units_repeats_the_law(bodies):
     assert expect(0, "", repeated).out == shown
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("more, warns", [("--distance-m 3e-10", True), ("--distance-m 3e-10 --profile exact_sphere:2e-8", False),
                                          ("--distance-m 3e-10 --modulus-pa 2e9", False)])
 def test_a_contact_too_wide_for_a_parabola_is_warned_of(more, warns):

@@ -178,6 +178,7 @@ def test_a_case_with_two_series(data):
     assert '"force": 1' in pathlib.Path(record).read_text(), "the results are those of before"
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("want", ["hysteresis", "preload", "diagnostics", "theories"])
 def test_the_command_of_a_traced_point_repeats_it(data, want):
     write(data, "", want)
@@ -187,6 +188,7 @@ def test_the_command_of_a_traced_point_repeats_it(data, want):
         assert document(point["command"].removeprefix("pulloff ")).get("digest") == point["digest"]
 
 
+@pytest.mark.once
 def test_the_command_that_explain_prints_for_a_followed_point_repeats_it(data):
     write(data, EVERY_4)
     expect(0, "*", "run good --output whole --time-limit 60")

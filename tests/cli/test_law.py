@@ -48,6 +48,7 @@ def test_the_mie_law_3_9_is_that_of_the_paper():
     assert document("solve --tabor 2.385 --mie-n 9 --law mie --mie-m 3")["pull_off"] == mie["pull_off"], "set by parts"
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("law", ["mie:4,10", "morse:1"])
 def test_waves(law):
     """Of a cut surface, the tail of an unbounded one, and a mesh that stays."""

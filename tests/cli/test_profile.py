@@ -356,6 +356,7 @@ def test_the_rigid_pull_off_against_a_table_of_all_profiles(good, verdict, lines
     assert verdict in ended.out + ended.err
 
 
+@pytest.mark.once
 def test_the_content_of_a_table_is_part_of_what_was_solved_and_its_path_is_not(good):
     case = with_scene(good, "profile_file: tip.csv")
     expect(0, "*outside", "run good --output run")

@@ -134,6 +134,7 @@ def test_loading_and_dwell_come_before_unloading(tmp_path):
     assert "loading" not in document("solve --tabor 0.5 --preload 3 --viscoelastic sls:0.1 --unload-speed 2 --tolerance 1e-4")["unloading"]
 
 
+@pytest.mark.once
 def test_theories_of_a_body_that_is_not_relaxed_are_undecided():
     scene = "solve --tabor 6 --preload 3 --viscoelastic sls:0.5 --unload-speed 0.05 --tolerance 1e-3 --want theories"
     for words, expected in ("", "yes"), ("--load-speed 1 --dwell 1", "unknown"):
@@ -247,6 +248,7 @@ sweep: [{table: bodies.csv}]
     assert [point["sweep"]["viscoelastic"] for point in points] == [None, "sls:0.5"]
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("scene, held", [("--tabor 10 --preload 10 --unload-speed 0 --viscoelastic sls:0.1", ["jkr", "persson-brener"]),
                                          ("--tabor 6 --preload 50 --unload-speed 2.5 --viscoelastic gamma:0.45,1.1", ["persson-brener"]),
                                          ("--tabor 7 --preload 50 --unload-speed inf --viscoelastic sls:0.3", ["jkr-at-once"]),
@@ -292,6 +294,7 @@ def test_moduli_of_a_table_beside_that_of_the_scene(tmp_path, monkeypatch, table
     expect(0, "", "plan own.yaml")
 
 
+@pytest.mark.once
 def test_a_table_of_a_material_is_known_by_its_content(tmp_path):
     """The digest does not depend on the path; a case names the table relative to its folder."""
     folder = tmp_path / "cases"

@@ -57,6 +57,7 @@ def test_the_jkr_staircase_of_a_wavy_cone_ends_at_the_deepest_minimum():
         assert abs(jkr[control]["steps"][-1]["force"] - wanted) < 1e-10 * wanted, control
 
 
+@pytest.mark.once
 def test_a_search_that_ends_with_certainty_says_so():
     """It is judged by the stated loads of minima. The points of the branch have the error of its mesh, here 3e-6, while 2e-9 is
     stated."""
@@ -120,6 +121,7 @@ def test_checks_of_steps(stairs):
         assert expect(1, "*", "verify --verbose stairs").count(outside) == 2
 
 
+@pytest.mark.once
 def test_plan_and_records(stairs):
     """Kept and merged records have the staircase, to the last bit."""
     assert expect(0, "", "plan stairs").count("find the pull-off for every preload: the case wants the staircase")
@@ -146,6 +148,7 @@ def test_a_series_with_any_preload():
     assert all(p["ended"] is None or p["ended"]["why"] == "preload" for p in some)
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("scene", ["--coupling 0.09255 --profile cone:0.08274 --wave 0.3486,8.475",
                                    "--tabor 0.608 --radius 536.5 --wave 0.1816,10.58"])
 def test_a_change_of_the_mesh_is_no_step(scene):

@@ -84,6 +84,7 @@ def after_preload(loads, approaches, preload):
     return reached, least
 
 
+@pytest.mark.once
 def test_eq_5_after_a_preload():
     """The steps of the grid decide how well the two agree. A scene in which another grid has another jump is left out; they
     are few."""

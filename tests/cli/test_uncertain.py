@@ -67,6 +67,7 @@ def test_noise_of_a_profile(coupling, noise):
     assert found["profile_table"]["smoothing"]["parameters"] < 40
 
 
+@pytest.mark.once
 def test_deviation_that_is_stated():
     """It takes the place of the estimate, and the command that repeats the solve has it."""
     name = write("tip.csv", 0.03)
@@ -77,6 +78,7 @@ def test_deviation_that_is_stated():
     assert printed.count("\nuncertain noise of the profile: force +-") == 1 and "smooth 0.03 profile_file tip.csv" in printed
 
 
+@pytest.mark.once
 def test_noise_that_is_not_refused():
     """It moved the force without a word."""
     words = "solve --coupling 0.05 --profile-file"
@@ -124,6 +126,7 @@ def test_smooth_in_a_case(data):
     expect(2, "*scene.profile_file is *: expected a CSV file *", "run noisy --output run")
 
 
+@pytest.mark.once
 def test_inputs_agree_with_their_sensitivities():
     """Differences of solves agree with the adjoint of the diagnostics; all together is the root of the sum of squares."""
     _, total, sources = uncertain("solve --tabor 2.385+-0.01 --amplitude 0.3+-0.002 --wavelength 17 --radius 93+-0.5")
@@ -158,6 +161,7 @@ def test_a_table_in_si_units_is_given_back():
     assert document(f"{words.replace(' --preload-load-n 1e-9', '')} {again}")["digest"] == found["digest"]
 
 
+@pytest.mark.once
 def test_preload_that_decides_between_two_minima():
     """The jump of the force is no standard uncertainty. Farther away the force does not depend on the preload at all."""
     found, total, [source] = uncertain(JUMP + " 2.6+-0.025")
@@ -221,6 +225,7 @@ def tips(data, work="0.05+-0.002", sweep=RADII, more=""):
     data.case("tips", TIPS.format(work=work, sweep=sweep, more=more))
 
 
+@pytest.mark.once
 def test_case(data):
     """Each point of a case has the standard uncertainty of the same command line, in the record and in the summary. A result
     that is kept is not that of another uncertainty."""
