@@ -4,9 +4,16 @@ instrument, with standard errors; beside it what JKR, DMT and Maugis-Dugdale mak
     python3 -m pulloff.fit CURVE.csv --radius-m R [--stiffness-n-per-m K] ...       (or: pulloff fit CURVE.csv ...)
 
 The model is the full traction-separation law, through the cantilever: both stable parts of the branch, apart and in contact, and the
-two jumps between them. The unknowns are ln w, ln eps, ln of the Tabor parameter, and the zeros of position and force; E* follows. A
-baseline that drifts linearly with the position of the base is recognised, and its slope is one more unknown. No start is needed: for a series of Tabor parameters the others are found first, each by a search over the scale of lengths. Lengths are in
-nm and forces in nN here: 1 J/m2 = 1 nN/nm, 1 GPa = 1 nN/nm2. scipy is needed.
+two jumps between them. The unknowns are ln w, ln of the length L = mu eps = (R w^2/E*^2)^(1/3), ln of the Tabor parameter mu, and the
+zeros of position and force; eps and E* follow. A baseline that drifts linearly with the position of the base is recognised, and its
+slope is one more unknown. No start is needed: for a series of Tabor parameters the others are found first, each by a search over the
+scale of lengths.
+
+Loads over pi w R and approaches over L depend on mu alone, and of the sphere itself on R/L, too: the other unknowns need no solve. Near
+branches that are solved, the misfit is interpolated linearly between theirs, least squares are found there, and the next branch is
+solved at the place that they name.
+
+Lengths are in nm and forces in nN here: 1 J/m2 = 1 nN/nm, 1 GPa = 1 nN/nm2. scipy is needed.
 """
 
 from __future__ import annotations
@@ -14,6 +21,7 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import functools
+import itertools
 import json
 import pathlib
 import sys
@@ -27,6 +35,7 @@ import pulloff
 
 TABORS = np.geomspace(0.05, 200, 13)  # at which a start is sought
 TOLERANCE = 1e-5                       # of the branches
+PER_STEP = 48                          # points between those of a branch: with 12, interpolation had a misfit of 14 times that of the tolerance
 BESIDE = 3                             # samples next to a jump that are left out: the lever takes some to come to rest
 CLEAR_JUMP = 8                         # noise of a step that is taken for a jump
 LEAST_NOISE = 1e-4                     # relative to the depth of the curve: the noise of a computed one
@@ -35,7 +44,12 @@ BAD_FIT = 4                            # chi2/n of a model that does not describ
 UNKNOWN = 0.5                          # standard error of a logarithm above which the number is not known from the data
 CLEAR_SLOPE = 4                        # standard errors of the slope of a baseline that is fitted
 SPHERE_TABOR = 50.0                    # greatest Tabor parameter at its start, beyond which the range hardly matters
-SPHERE_STEPS = 12                      # of the fit of a sphere, most of which is the solves of its branches
+MOST_SOLVES = 30                       # of one fit
+DIFFERENCE = 0.03                      # of ln mu and ln R/L between branches whose difference serves as derivative
+CLOSE = 0.1                            # greatest such distance at the end
+FAR = 0.4                              # and before
+STRIDE = 1.0                           # greatest change of ln mu or ln R/L before a branch is solved again
+SETTLED = 0.02                         # standard errors by which values may still move at the end
 LARGE_CONTACT = 0.3                    # contact radius over R, beyond which a paraboloid is no sphere
 
 
@@ -148,15 +162,19 @@ def curve_of(position, force, position_out, force_out, stiffness=np.inf) -> Curv
 # -- The model --
 
 @functools.lru_cache(maxsize=256)
-def branch(tabor, load, tolerance=TOLERANCE, radius=None):
-    """Approach, eps, load, pi w R, and contact radius, eps, along the branch up to a load; of a sphere of this radius, eps, None: of a
-    paraboloid, whose branch does not depend on it."""
+def solved(tabor, load, tolerance, radius):
     body = {} if radius is None else {"profile": f"exact_sphere:{radius!r}", "radius": radius}
     curve = pulloff.solve(tabor=tabor, want="curve", approach_start=-(60 + 2 * tabor), preload_load=load, tolerance=tolerance, **body).curve
     at = curve["position"]
-    dense = np.interp(np.linspace(0, len(at) - 1, 12 * len(at)), np.arange(len(at)), at)
+    dense = np.interp(np.linspace(0, len(at) - 1, PER_STEP * len(at)), np.arange(len(at)), at)
     parts = [CubicHermiteSpline(at, curve[name], curve[name + "_rate"])(dense) for name in ("approach", "load")]
     return *parts, np.interp(dense, at, curve["contact_radius"])
+
+
+def branch(tabor, load, tolerance=TOLERANCE, radius=None):
+    """Approach, eps, load, pi w R, and contact radius, eps, along the branch up to a load; of a sphere of this radius, eps, None: of a
+    paraboloid, whose branch does not depend on it. Numbers that differ by rounding have one branch."""
+    return solved(float(f"{tabor:.12g}"), load, tolerance, radius and float(f"{radius:.12g}"))
 
 
 def theory_branch(model, tabor, load):
@@ -187,19 +205,21 @@ class Model:
     name: str = "solver"
     tolerance: float = TOLERANCE
     sphere: bool = False    # the sphere itself, otherwise a paraboloid
+    near: tuple[float, float] | None = None  # the Tabor parameter and R/L of the branch to be taken; None: those of the values
 
     def load(self, work):
         """A load, pi w R, beyond all data: one of a few values, so that branches are used again."""
         return 2.0 ** np.ceil(np.log2(max(1.3 * self.greatest / (np.pi * work * self.radius), 0.25)))
 
     def branch(self, tabor, work, eps):
-        return branch(tabor, self.load(work), self.tolerance, self.radius / eps if self.sphere else None)
+        tabor, slender = self.near or (tabor, self.radius / (tabor * eps))
+        return branch(tabor, self.load(work), self.tolerance, tabor * slender if self.sphere else None)
 
     def states(self, tabor, work, eps):
         """Positions of the base and forces along the branch."""
         of = self.branch(tabor, work, eps) if self.name == "solver" else theory_branch(self.name, tabor, self.load(work))
         force = np.pi * work * self.radius * of[1]
-        return eps * of[0] + force / self.stiffness, force
+        return tabor * eps / (self.near or (tabor,))[0] * of[0] + force / self.stiffness, force
 
     def parts(self, tabor, values):
         """The stable parts, apart and in contact, between which the base makes the contact jump."""
@@ -213,13 +233,21 @@ class Model:
 def split(curve: Curve):
     """The samples apart and in contact, and the positions of the jumps in the data, nan without one."""
     (zi, fi), (zo, fo), (jump_in, jump_out) = curve.into, curve.out, curve.jumps()
-    first, last = (0, 0) if jump_in is None else (max(jump_in - BESIDE, 0), jump_in + 2)
-    below, above = (0, 0) if jump_out is None else (max(jump_out - BESIDE, 0), jump_out + 2 + BESIDE)
+    at = [np.nan if k is None else way[0][k:k + 2].mean() for k, way in ((jump_in, curve.into), (jump_out, curve.out))]
+
+    def before(position, k, jump):
+        """The samples before the jump, without BESIDE next to it. Computed curves have many more there, where the force is so steep that
+        their distance counts."""
+        return min(max(k - BESIDE, 0), int(np.searchsorted(position, jump - (BESIDE + 1) * curve.spacing, "right")))
+
+    def after(position, k, jump, beside):
+        return max(k + 2 + beside, int(np.searchsorted(position, jump + (beside + 1) * curve.spacing, "left")))
+    first, last = (0, 0) if jump_in is None else (before(zi, jump_in, at[0]), after(zi, jump_in, at[0], 0))
+    below, above = (0, 0) if jump_out is None else (before(zo, jump_out, at[1]), after(zo, jump_out, at[1], BESIDE))
     if jump_in is not None and jump_out is None:
         below, above = first, last
     far = np.r_[zi[:first], zo[:below]], np.r_[fi[:first], fo[:below]]
     near = np.r_[zi[last:], zo[above:]], np.r_[fi[last:], fo[above:]]
-    at = [np.nan if k is None else way[0][k:k + 2].mean() for k, way in ((jump_in, curve.into), (jump_out, curve.out))]
     return far, near, np.array(at)
 
 
@@ -264,9 +292,9 @@ def modulus_of(model, tabor, work, eps):
 
 
 def values_of(model, x):
-    """From ln w, ln eps, ln mu, z0, f0, slope."""
-    work, eps, tabor = np.exp(x[:3])
-    return tabor, np.array([work, eps, modulus_of(model, tabor, work, eps), *x[3:]])
+    """From ln w, ln L, ln mu, z0, f0, slope."""
+    work, length, tabor = np.exp(x[:3])
+    return tabor, np.array([work, length / tabor, modulus_of(model, tabor, work, length / tabor), *x[3:]])
 
 
 def search(model, curve, data, tabor, contact_only):
@@ -287,38 +315,155 @@ def search(model, curve, data, tabor, contact_only):
         values = np.array([work, eps, modulus_of(model, tabor, work, eps), z0, curve.zero, 0.0])
         cost = np.sum(np.minimum(np.abs(residuals(model, tabor, values, curve, data, contact_only)), 100))
         if cost < best[0]:
-            best = cost, np.array([np.log(work), np.log(eps), np.log(tabor), z0, curve.zero, 0.0])
+            best = cost, np.array([np.log(work), np.log(tabor * eps), np.log(tabor), z0, curve.zero, 0.0])
     return best
 
 
-def refine(model, curve, data, start, free, contact_only=False, steps=None):
-    """Least squares over some of the unknowns, in units in which each begins at 1."""
-    unit = np.array([0.1, 0.1, 0.3, max(curve.spacing, 0.1 * np.exp(start[1])), 3 * curve.noise, 3 * curve.baseline[1]])
+def units_of(curve, start):
+    """By which the unknowns move."""
+    return np.array([0.1, 0.1, 0.3, max(curve.spacing, 0.1 * np.exp(start[1] - start[2])), 3 * curve.noise, 3 * curve.baseline[1]])
+
+
+def limits_of(start):
+    """Least and greatest values of the unknowns."""
+    least = np.array([start[0] - np.log(8), start[1] - np.log(100), np.log(TABORS[0] / 2), -np.inf, -np.inf, -np.inf])
+    most = np.array([start[0] + np.log(8), start[1] + np.log(100), np.log(TABORS[-1] * 2), np.inf, np.inf, np.inf])
+    return least, most
+
+
+def refine(miss, start, unit, free, limits, steps=None):
+    """Least squares of a misfit over some of the unknowns, in units in which each begins at 1."""
     free = np.array(free)
 
     def full(u):
         x = start.copy()
         x[free] += (u - 1) * unit[free]
         return x
-
-    def miss(u):
-        tabor, values = values_of(model, full(u))
-        return residuals(model, tabor, values, curve, data, contact_only)
-    least = np.array([start[0] - np.log(8), start[1] - np.log(100), np.log(TABORS[0] / 2), -np.inf, -np.inf, -np.inf])
-    most = np.array([start[0] + np.log(8), start[1] + np.log(100), np.log(TABORS[-1] * 2), np.inf, np.inf, np.inf])
-    low, high = ((1 + (limit - start) / unit)[free] for limit in (least, most))
-    found = least_squares(miss, np.ones(len(free)), bounds=(low, high), diff_step=0.02, x_scale="jac", max_nfev=steps, xtol=1e-6, ftol=1e-8)
+    low, high = ((1 + (limit - start) / unit)[free] for limit in limits)
+    found = least_squares(lambda u: miss(full(u)), np.ones(len(free)), bounds=(low, high), diff_step=0.02, x_scale="jac", max_nfev=steps,
+                          xtol=1e-6, ftol=1e-8)
     return full(found.x), found, unit[free]
+
+
+def misfit(model, curve, data, contact_only=False):
+    """The misfit as a function of the unknowns."""
+    def miss(x):
+        tabor, values = values_of(model, x)
+        return residuals(model, tabor, values, curve, data, contact_only)
+    return miss
+
+
+class Branches:
+    """Branches that are solved, at places (ln mu, ln R/L), and the misfit between them. Of a paraboloid only the first coordinate
+    counts."""
+
+    def __init__(self, model, curve, data):
+        self.model, self.curve, self.data = model, curve, data
+        self.places: list[np.ndarray] = []
+        self.count = 2 if model.sphere else 1
+
+    def place(self, x):
+        return np.array([x[2], np.log(self.model.radius) - x[1]])
+
+    def miss_at(self, place):
+        """The misfit with the branch at a place for all values of the unknowns."""
+        return misfit(dataclasses.replace(self.model, near=tuple(np.exp(place))), self.curve, self.data)
+
+    def solve(self, place, x):
+        """Solves the branch at a place. Given: values of the unknowns, which say how far it has to reach."""
+        self.miss_at(place)(x)
+        self.places.append(place)
+
+    def pairs(self, centre, farthest):
+        """Pairs of places at most so far from the centre and from each other, the nearest ones, whose ways span the coordinates."""
+        found: list[tuple[np.ndarray, np.ndarray]] = []
+
+        def distance(p, q):
+            return np.linalg.norm((p - q)[:self.count])
+        for p, q in sorted(itertools.combinations(self.places, 2), key=lambda pair: max(distance(centre, place) for place in pair)):
+            if len(found) == self.count or max(distance(centre, p), distance(centre, q)) > farthest:
+                break
+            ways = [(to - of)[:self.count] / distance(to, of) for of, to in (*found, (p, q))] if distance(p, q) >= DIFFERENCE / 3 else []
+            if ways and (len(ways) == 1 or abs(np.linalg.det(ways)) > 0.5):
+                found.append((p, q))
+        return found
+
+    def around(self, centre, farthest, x):
+        """As pairs; the branches that are missing are solved."""
+        found = self.pairs(centre, farthest)
+        while len(found) < self.count:
+            way = np.eye(2)[0]
+            if found:
+                way = (found[0][1] - found[0][0])[::-1] * [1, -1]  # at a right angle to the other one
+                way *= np.sign(way[0] or 1) / np.linalg.norm(way)
+            if centre[0] + DIFFERENCE > np.log(TABORS[-1] * 2):
+                way = -way
+            self.solve(centre + DIFFERENCE * way, x)
+            found.append((centre, self.places[-1]))
+        return found
+
+    def interpolated(self, centre, pairs):
+        """The misfit as a function of the unknowns, linear in the place of the branch, with differences between some pairs."""
+        of_centre = self.miss_at(centre)
+        misses = [(self.miss_at(p), self.miss_at(q)) for p, q in pairs]
+        ways = np.array([(q - p)[:self.count] for p, q in pairs])
+
+        def miss(x):
+            shares = np.linalg.solve(ways.T, (self.place(x) - centre)[:self.count])
+            return of_centre(x) + sum(share * (of_q(x) - of_p(x)) for share, (of_p, of_q) in zip(shares, misses))
+        return miss
+
+
+def settled(found):
+    """A gain of cost by which no value moves by SETTLED of its standard error."""
+    return SETTLED**2 / 2 * variance_of(found)
+
+
+def refine_solved(model, curve, data, start, free):
+    """Least squares over the unknowns with branches that are solved as needed. Ends where no value would move by SETTLED of its standard
+    error, or where no branch nearby is better; by differences of branches no farther than CLOSE. Returned: as refine."""
+    of, unit, limits = Branches(model, curve, data), units_of(curve, start), limits_of(start)
+    fixed = [k for k in free if k != 2 and not (model.sphere and k == 1)]  # the unknowns of one branch
+    centre, stride, farthest = of.place(start), STRIDE, FAR
+    of.solve(centre, start)
+    x, found, _ = refine(of.miss_at(centre), start, unit, fixed, limits)
+    while True:
+        pairs = of.around(centre, farthest, x)
+        least, most = (limit.copy() for limit in limits)
+        for k, at in ((2, centre[0]), (1, np.log(model.radius) - centre[1]))[:of.count]:
+            least[k], most[k] = max(least[k], at - stride), min(most[k], at + stride)
+        y, near, scale = refine(of.interpolated(centre, pairs), x, unit, free, (least, most))
+        ends = found.cost - near.cost <= settled(found) or stride < DIFFERENCE / 3 or len(of.places) >= MOST_SOLVES
+        if ends and farthest == CLOSE:
+            found.jac = near.jac
+            return x, found, scale
+        if ends:
+            stride, farthest = max(stride, DIFFERENCE), CLOSE
+            continue
+        place = of.place(y)
+        of.solve(place, y)
+        y, tried, _ = refine(of.miss_at(place), y, unit, fixed, limits)
+        if tried.cost < found.cost:
+            stride = min(2 * stride, STRIDE) if found.cost - tried.cost > (found.cost - near.cost) / 2 else stride
+            x, found, centre = y, tried, place
+        else:
+            stride = np.linalg.norm((place - centre)[:of.count]) / 4
+
+
+def variance_of(found):
+    """Of the misfit: 1 by the noise of the data, or more if the model is farther from them. Computed data have less noise than what is
+    taken for it, but the branches have errors."""
+    return max(2 * found.cost / max(len(found.fun) - found.jac.shape[1], 1), 1.0)
 
 
 def covariance_of(found, unit, free):
     """Of ln w, ln eps, ln E*, z0, f0, slope."""
-    matrix = np.zeros((6, 6))
+    matrix = np.zeros((6, 6))  # of ln w, ln L, ln mu, z0, f0, slope
     curvature = found.jac.T @ found.jac
     spread = np.linalg.pinv(curvature, rcond=1e-14, hermitian=True)
-    matrix[np.ix_(free, free)] = spread * np.outer(unit, unit) * 2 * found.cost / max(len(found.fun) - len(free), 1)
+    matrix[np.ix_(free, free)] = spread * np.outer(unit, unit) * variance_of(found)
     turn = np.eye(6)
-    turn[2] = [1, -1.5, -1.5, 0, 0, 0]
+    turn[1], turn[2] = [0, 1, -1, 0, 0, 0], [1, -1.5, 0, 0, 0, 0]
     return turn @ matrix @ turn.T
 
 
@@ -358,14 +503,14 @@ def fit_curve(curve: Curve, radius: float, stiffness: float = np.inf, sloping: b
     for tabor in TABORS:
         cost, start = search(model, curve, data, tabor, False)
         if start is not None:
-            x, found, _ = refine(model, curve, data, start, [k for k in free if k != 2], steps=12)
+            x, found, _ = refine(misfit(model, curve, data), start, units_of(curve, start), [k for k in free if k != 2], limits_of(start), 12)
             tried.append((found.cost, x))
     if not tried:
         raise NoFit("no start was found")
     best = None
     tried.sort(key=lambda pair: pair[0])
     for _, start in [pair for pair in tried[:2] if pair[0] < 2 * tried[0][0]]:
-        x, found, unit = refine(model, curve, data, start, free, steps=40)
+        x, found, unit = refine_solved(model, curve, data, start, free)
         if best is None or found.cost < best[1].cost:
             best = x, found, unit
     fit = finished(model, curve, data, *best, free)
@@ -386,9 +531,9 @@ def fit_sphere(curve: Curve, radius: float, stiffness: float, near: Fit) -> Fit:
         eps = max(eps, scale / SPHERE_TABOR)
         tabor = scale / eps
         work *= max(curve.zero - curve.out[1].min(), 3 * curve.noise) / -model.states(tabor, work, eps)[1].min()
-    start = np.array([np.log(work), np.log(eps), np.log(tabor), *near.values[3:5], 0.0])
+    start = np.array([np.log(work), np.log(tabor * eps), np.log(tabor), *near.values[3:5], 0.0])
     free = range(6) if sloping else range(5)
-    x, found, unit = refine(model, curve, data, start, free, steps=SPHERE_STEPS)
+    x, found, unit = refine_solved(model, curve, data, start, free)
     fit = finished(model, curve, data, x, found, unit, free)
     fit.slope += near.slope
     fit.sphere = True
@@ -418,7 +563,7 @@ def fit_theory(name: str, curve: Curve, radius: float, stiffness: float = np.inf
     for tabor in (np.geomspace(0.05, 5, 5) if name == "Maugis" else [1.0]):
         _, start = search(model, curve, data, tabor, True)
         start[4] = np.median(data[0][1]) if len(data[0][1]) else curve.zero
-        x, found, unit = refine(model, curve, data, start, free, True, steps=60)
+        x, found, unit = refine(misfit(model, curve, data, True), start, units_of(curve, start), free, limits_of(start), 60)
         if best is None or found.cost < best[1].cost:
             best = x, found, unit
     return finished(model, curve, data, *best, free)
