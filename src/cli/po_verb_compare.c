@@ -92,8 +92,10 @@ static const char *number_or_dash(const char *format, double value, char text[32
   return text;
 }
 
-static void print_row(const po_theory_row *row, const po_si_unit *force) {
-  static const char *const HOLDS[] = {"unknown", "no", "yes"};
+/* Given: whether the contact is so wide that the parabola, of which the theory holds, is no sphere.
+ */
+static void print_row(const po_theory_row *row, const po_si_unit *force, bool is_wide) {
+  const char *const HOLDS[] = {"unknown", "no", is_wide ? "yes (1)" : "yes"};
   char deviation[32], error[32];
   printf("%-26s ", PO_THEORIES[row->theory].words);
   if (isnan(row->force)) {
@@ -111,11 +113,17 @@ static void print_row(const po_theory_row *row, const po_si_unit *force) {
          row->at_least ? "at least" : "at most", row->limit);
 }
 
+/* The number of theories whose assumptions hold, or do not, or are unknown. */
+static size_t count_held(const po_result *result, po_holds holds) {
+  size_t count = 0;
+  for (size_t k = 0; k < result->theory_count; ++k)
+    count += isfinite(result->theories[k].force) && result->theories[k].holds == holds;
+  return count;
+}
+
 /* Prints the names of the theories whose assumptions hold, or are unknown. */
 static void print_held(const po_result *result, po_holds holds, const char *what) {
-  size_t named = 0;
-  for (size_t k = 0; k < result->theory_count; ++k)
-    named += isfinite(result->theories[k].force) && result->theories[k].holds == holds;
+  const size_t named = count_held(result, holds);
   if (!named && holds == PO_HOLDS_UNKNOWN)
     return;
   printf("%-26s ", what);
@@ -125,9 +133,22 @@ static void print_held(const po_result *result, po_holds holds, const char *what
   printf("%s\n", named ? "" : "none");
 }
 
-/* Prints the table of the theories and their sources. Given: the units for a column in N, or NULL.
+/* Says that theories hold of the parabola alone, and the number that decides it. A theory of the
+ * parabola is exact for the body that was solved; that this body is a sphere is an assumption of
+ * the user. */
+static void print_note(const po_request *request, double ratio) {
+  const double R = request->scene.radius * (request->in_si ? request->units.length : 1.0);
+  printf("%-26s they hold for the parabola r^2/(2R), which was solved, not for a sphere of this R: "
+         "contact radius over R %.3g, expected at most %g; --profile exact_sphere:%.6g is the "
+         "sphere\n",
+         "(1)", ratio, PO_PRINT_WIDE_CONTACT, R);
+}
+
+/* Prints the table of the theories and their sources, with a column in N for a scene in SI units.
  */
-static void print_theories(const po_result *result, const po_units *units) {
+static void print_theories(const po_request *request, const po_result *result) {
+  const po_units *units = request->in_si ? &request->units : NULL;
+  const double ratio = po_print_wide_contact(request, result);
   double greatest = 0;
   for (size_t k = 0; k < result->theory_count; ++k)
     po_si_take(&greatest, result->theories[k].force);
@@ -139,8 +160,10 @@ static void print_theories(const po_result *result, const po_units *units) {
   printf("%-26s %12s %s%11s %9s %-7s %s\n", "theory", "force", head, "deviation", "error", "holds",
          "decided by");
   for (size_t k = 0; k < result->theory_count; ++k)
-    print_row(&result->theories[k], units ? &unit : NULL);
-  print_held(result, PO_HOLDS_YES, "assumptions hold");
+    print_row(&result->theories[k], units ? &unit : NULL, ratio > 0.0);
+  print_held(result, PO_HOLDS_YES, ratio > 0.0 ? "assumptions hold (1)" : "assumptions hold");
+  if (ratio > 0.0 && count_held(result, PO_HOLDS_YES))
+    print_note(request, ratio);
   print_held(result, PO_HOLDS_UNKNOWN, "only a solve decides");
   printf("%-26s %s\n", "theory", "source");
   for (size_t k = 0; k < result->theory_count; ++k)
@@ -153,7 +176,7 @@ static po_status print(const po_solve_line *line, const po_result *result) {
   po_print_summary(&line->request, result);
   if (line->request.in_si)
     po_print_physical_pull_off(&line->request.units, result);
-  print_theories(result, line->request.in_si ? &line->request.units : NULL);
+  print_theories(&line->request, result);
   return po_print_digest(po_json_document(&line->request, result));
 }
 

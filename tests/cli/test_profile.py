@@ -442,6 +442,19 @@ def test_a_parabola_is_no_sphere_in_a_wide_contact():
     line = f"the force of the parabola is that of the sphere +{more} %; --profile exact_sphere:4.5e-08 is the sphere"
     for verb in "solve", "compare":
         assert line in expect(0, "", f"{verb} {soft}").out
+    # compare says it where its verdicts stand, which held for JKR of the parabola without a word
+    said = expect(0, "", f"compare {soft}").out.splitlines()
+    holds = {line.split()[0]: line.split("%")[2].split()[:2] for line in said if line.count("%") == 2 and line[:3] in ("DMT", "JKR")}
+    assert holds["DMT"][0] == "no" and holds["JKR"] == ["yes", "(1)"]
+    [note] = [line for line in said if line.startswith("(1) ")]
+    assert "not for a sphere of this R: contact radius over R 1.35, expected at most 0.3; --profile exact_sphere:4.5e-08" in note
+    assert any(line.startswith("assumptions hold (1)       JKR, Maugis-Dugdale, ") for line in said)
+    for words in f"{soft} --profile exact_sphere:45e-9", "--tabor 20 --radius 10000 --tolerance 1e-4":
+        assert "(1)" not in expect(0, "", f"compare {words}").out
+    # the limit; at the same Tabor parameter a/R goes as the root of 1/R
+    a = document("solve --tabor 20 --radius 100 --tolerance 1e-4")["pull_off"]["contact_radius"]
+    for part, notes in (0.305, 1), (0.295, 0):
+        assert expect(0, "", f"compare --tabor 20 --radius {100 * (a / 100 / part)**2} --tolerance 1e-4").out.count("\n(1) ") == notes
     assert "sphere   the contact" not in expect(0, "", f"solve {soft} --profile exact_sphere:45e-9").out
     assert "sphere   the contact" not in expect(0, "", "solve --tabor 1").out
 

@@ -99,24 +99,31 @@ static void print_range(const po_result *o) {
            "least, is stated with its error\n",
            o->range.least, o->range.greatest, o->range.change);
   if (o->range.loops.are_known)
-    printf("loops    limits of those with ranges %.4g to %.4g times as great; errors of the ends of "
-           "jumps: approach at most %.1e, load %.1e\n",
-           o->range.loops.least, o->range.loops.greatest, o->range.loops.approach,
-           o->range.loops.load);
+    printf(
+        "loops    limits of those with ranges %.4g to %.4g times as great; errors of the ends of "
+        "jumps: approach at most %.1e, load %.1e\n",
+        o->range.loops.least, o->range.loops.greatest, o->range.loops.approach,
+        o->range.loops.load);
 }
 
 /* Part of R. At this contact radius the gap of the sphere exceeds that of the parabola by 2 %, and
  * the pull-off force of the parabola by JKR theory that of the sphere by 4 %. */
-static const double WIDE_CONTACT = 0.3;
+const double PO_PRINT_WIDE_CONTACT = 0.3;
+
+double po_print_wide_contact(const po_request *request, const po_result *o) {
+  const po_scene *scene = &request->scene;
+  const bool is_wide = po_profile_is_sphere(&scene->profile) && o->has_pull_off &&
+                       o->pull_off.contact_radius > PO_PRINT_WIDE_CONTACT * scene->radius;
+  return is_wide ? o->pull_off.contact_radius / scene->radius : 0.0;
+}
 
 /* A line if the contact at pull-off is too wide for a parabola in place of a sphere. */
 static void print_parabola(const po_request *request, const po_result *o) {
   const po_scene *scene = &request->scene;
-  if (!po_profile_is_sphere(&scene->profile) || !o->has_pull_off || !request->theories ||
-      !(o->pull_off.contact_radius > WIDE_CONTACT * scene->radius))
+  const double ratio = po_print_wide_contact(request, o);
+  if (!request->theories || !(ratio > 0.0))
     return;
-  printf("sphere   the contact radius is %.3g R, where the parabola r^2/(2R) is no sphere",
-         o->pull_off.contact_radius / scene->radius);
+  printf("sphere   the contact radius is %.3g R, where the parabola r^2/(2R) is no sphere", ratio);
   const double excess = request->theories->parabola_excess(scene);
   if (isfinite(excess))
     printf(": by JKR theory the force of the parabola is that of the sphere %+.0f %%",
