@@ -40,7 +40,21 @@ static po_status of_other_radius(const po_request *request, double factor,
   return po_particle_law_numbers(&other, numbers);
 }
 
-/* Appends the options of the scene: those of a scene in SI units as they were given. */
+/* Appends the amplitude of a scene in SI units whose ratio to the wavelength is given, which is a
+ * key of tables and no option of this verb. */
+static void add_amplitude(const po_texts *given, po_text *made) {
+  const char *wavelength = given->text[PO_KEY_WAVELENGTH_M];
+  double ratio, length;
+  char amplitude[PO_NUMBER_LENGTH];
+  if (!wavelength || !po_key_parse(PO_KEY_WAVELENGTH_M, wavelength, &length) ||
+      !po_key_parse(PO_KEY_AMPLITUDE_RATIO, given->text[PO_KEY_AMPLITUDE_RATIO], &ratio))
+    return;
+  po_number_print(ratio * length, amplitude);
+  po_text_add(made, " --amplitude-m %s", amplitude);
+}
+
+/* Appends the options of the scene: those of a scene in SI units as they were given, but for the
+ * amplitude by its ratio. */
 static void add_scene(const po_law_line *line, po_text *made) {
   const po_texts *given = &line->scene.given;
   if (!line->request.in_si) {
@@ -56,7 +70,9 @@ static void add_scene(const po_law_line *line, po_text *made) {
   po_text_add(made, " --from-physical");
   for (int key = 0; key < PO_KEY_ALL; ++key) {
     char flag[PO_FLAG_LENGTH];
-    if (!given->text[key])
+    if (key == PO_KEY_AMPLITUDE_M && given->text[PO_KEY_AMPLITUDE_RATIO])
+      add_amplitude(given, made);
+    if (!given->text[key] || key == PO_KEY_AMPLITUDE_RATIO)
       continue;
     if (key == PO_KEY_WAVES) {
       po_input_add_waves(made, given->text[key]);
@@ -66,6 +82,14 @@ static void add_scene(const po_law_line *line, po_text *made) {
     po_text_add(made, " --%s ", flag);
     po_text_add_word(made, given->text[key]);
   }
+}
+
+void po_law_line_add_command(const po_law_line *line, po_text *text) {
+  char error[PO_NUMBER_LENGTH];
+  po_number_print(line->error, error);
+  po_text_add(text, "pulloff contact-law");
+  add_scene(line, text);
+  po_text_add(text, " --format %s --error %s", PO_PARTICLE_FORMATS[line->format], error);
 }
 
 const double PO_LAW_PARABOLA_EXCESS = 0.04;
@@ -97,12 +121,8 @@ po_status po_law_line_make(const po_law_line *line, po_law_made *made) {
   made->numbers = law.numbers;
   made->error = law.error;
   made->parabola_excess = parabola_excess(&line->request);
-  char error[PO_NUMBER_LENGTH];
-  po_number_print(line->error, error);
   po_text command = {0};
-  po_text_add(&command, "pulloff contact-law");
-  add_scene(line, &command);
-  po_text_add(&command, " --format %s --error %s", PO_PARTICLE_FORMATS[line->format], error);
+  po_law_line_add_command(line, &command);
   t.command = po_text_string(&command);
   status = po_particle_text_add(&t, line->format, &made->file);
   if (!status)

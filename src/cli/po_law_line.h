@@ -36,6 +36,9 @@ extern const double PO_LAW_PARABOLA_EXCESS;
  * PO_BAD_INPUT, and those of po_texts_read. */
 po_status po_law_line_complete(po_law_line *line, bool warns);
 
+/* Appends the command that makes the law of a completed line, but for its name and output. */
+void po_law_line_add_command(const po_law_line *line, po_text *text);
+
 /* Makes the law of a completed line. Returned: to be cleared also after a failure. Status: as
  * po_particle_law_make and po_particle_text_add. */
 po_status po_law_line_make(const po_law_line *line, po_law_made *made);

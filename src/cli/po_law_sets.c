@@ -10,6 +10,7 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_key_table.h"
+#include "po_law_store.h"
 #include "po_live.h"
 #include "po_memory.h"
 #include "po_number.h"
@@ -31,8 +32,9 @@ typedef struct {
   po_csv table;
   int *keys; /* of the columns */
   law_row *rows;
-  size_t done;
-  bool broken; /* by a file that cannot be written, or without memory */
+  po_law_store store;
+  size_t done, kept; /* kept: of a command before */
+  bool broken;       /* by a file that cannot be written, or without memory */
   po_status status;
   char message[MESSAGE];
   po_live live;
@@ -52,7 +54,7 @@ static po_status check_columns(const sets *s) {
     const char *column = s->table.columns[c];
     char flag[PO_FLAG_LENGTH];
     po_key_flag(key, flag);
-    if (!(PO_KEYS[key].verbs & PO_FOR_COMPARE))
+    if (!(PO_KEYS[key].verbs & PO_FOR_COMPARE) && !po_key_is_group(key))
       return po_fail(PO_BAD_INPUT,
                      "%s:%zu: the column %s has no effect on a law: expected names of options of "
                      "contact-law, such as tabor or radius_m",
@@ -99,43 +101,85 @@ static void name_row(const sets *s, size_t k, char *name, size_t size) {
   snprintf(name, size, "%s_%0*zu", s->line->name, digits, k + 1);
 }
 
-static po_status write_law(const sets *s, const po_law_line *line, const po_law_made *made,
-                           law_row *row) {
+static void name_file(const po_law_line *line, law_row *row) {
   static const char *const ENDINGS[] = {"h", "csv", "table"}; /* of PO_PARTICLE_FORMATS */
-  snprintf(row->file, sizeof row->file, "%s.%s", line->name, ENDINGS[line->format]);
-  const po_file_path path = po_path_join(s->line->output, row->file);
-  return po_file_write(path.text, made->file.data, made->file.length);
+  snprintf(row->file, sizeof row->file, "%.*s.%s", FILE_NAME - 8, line->name,
+           ENDINGS[line->format]);
 }
 
-/* Makes and writes the law of a row. Status: those that end all: PO_CANNOT_WRITE, PO_NO_MEMORY. */
-static po_status make_row(const sets *s, size_t k) {
+static void take_stored(const po_law_stored *stored, law_row *row) {
+  row->status = stored->status;
+  row->numbers = stored->numbers;
+  row->error = stored->error;
+  row->parabola_excess = stored->parabola_excess;
+  row->seconds = stored->seconds;
+  snprintf(row->reason, sizeof row->reason, "%s", stored->reason);
+}
+
+/* Writes the law of a row and stores it; also that its scene has none, which is found by a solve.
+ * Only what depends on nothing but the row and the options is stored. */
+static po_status keep_row(const sets *s, const char *key, const po_law_made *made,
+                          const law_row *row) {
+  const po_law_stored stored = {row->status,          row->numbers, row->error,
+                                row->parabola_excess, row->seconds, row->reason};
+  po_status status = PO_OK;
+  if (row->status && row->status != PO_BAD_INPUT)
+    return PO_OK;
+  if (!row->status)
+    status = po_file_write(po_path_join(s->line->output, row->file).text, made->file.data,
+                           made->file.length);
+  return status ? status : po_law_store_put(&s->store, key, &stored, &made->file);
+}
+
+/* Makes and writes the law of a completed line. Status: as make_row. */
+static po_status make_law(const sets *s, const po_law_line *line, const char *key, double begin,
+                          law_row *row) {
+  po_law_made made = {.numbers = {0}};
+  row->status = po_no_memory_or(po_law_line_make(line, &made));
+  if (row->status && row->status != PO_INTERRUPTED)
+    snprintf(row->reason, sizeof row->reason, "%s", po_message());
+  row->numbers = made.numbers;
+  row->error = made.error;
+  row->parabola_excess = made.parabola_excess;
+  row->seconds = po_clock_wall() - begin;
+  const po_status status =
+      row->status == PO_NO_MEMORY ? PO_NO_MEMORY : keep_row(s, key, &made, row);
+  po_law_made_clear(&made);
+  return status;
+}
+
+/* Takes the law of a row from the folder, or makes and writes it. Returned: *kept, which of both.
+ * Status: those that end all: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+static po_status make_row(const sets *s, size_t k, bool *kept) {
   law_row *row = &s->rows[k];
   po_law_line line = *s->line;
-  po_law_made made = {.numbers = {0}};
-  char name[FILE_NAME];
+  po_law_stored stored;
+  char name[FILE_NAME], key[PO_DIGEST_LENGTH];
   char **cells = po_allocate(s->table.column_count, sizeof *cells);
   const double begin = po_clock_wall();
   name_row(s, k, name, sizeof name);
   line.name = name;
   line.scene.given.prefix = "";
+  name_file(&line, row);
+  *kept = false;
   po_status status = cells && take_cells(s, k, &line.scene.given, cells) ? PO_OK : PO_NO_MEMORY;
   if (!status)
-    status = po_law_line_complete(&line, false);
+    status = po_no_memory_or(po_law_line_complete(&line, false));
   if (!status)
-    status = po_law_line_make(&line, &made);
-  row->status = po_no_memory_or(status);
-  if (status && status != PO_INTERRUPTED)
-    snprintf(row->reason, sizeof row->reason, "%s", po_message());
-  row->numbers = made.numbers;
-  row->error = made.error;
-  row->parabola_excess = made.parabola_excess;
+    status = po_law_store_key(&s->store, &line, key);
   row->length = line.request.in_si ? line.request.units.length : 1.0;
   row->force = line.request.in_si ? line.request.units.force : 1.0;
-  status = row->status == PO_NO_MEMORY ? PO_NO_MEMORY : PO_OK;
-  if (!row->status)
-    status = write_law(s, &line, &made, row);
-  row->seconds = po_clock_wall() - begin;
-  po_law_made_clear(&made);
+  if (!status && po_law_store_find(&s->store, key, row->file, &stored)) {
+    take_stored(&stored, row);
+    *kept = true;
+  } else if (!status) {
+    status = make_law(s, &line, key, begin, row);
+  } else if (status != PO_NO_MEMORY) { /* a cell is refused */
+    row->status = status;
+    snprintf(row->reason, sizeof row->reason, "%s", po_message());
+    row->seconds = po_clock_wall() - begin;
+    status = PO_OK;
+  }
   for (size_t c = 0; cells && c < s->table.column_count; ++c)
     free(cells[c]);
   free(cells);
@@ -144,7 +188,8 @@ static po_status make_row(const sets *s, size_t k) {
 
 static void do_row(sets *s, size_t k) {
   po_no_memory_forget();
-  const po_status status = make_row(s, k);
+  bool kept;
+  const po_status status = make_row(s, k, &kept);
 #pragma omp critical(po_law_sets)
   {
     if (status && !s->broken) {
@@ -154,6 +199,7 @@ static void do_row(sets *s, size_t k) {
       s->broken = true;
     }
     s->done += 1;
+    s->kept += kept;
     po_live_show(&s->live, "%zu of %zu laws", s->done, s->table.row_count);
   }
 }
@@ -270,13 +316,18 @@ static po_status conclude(const sets *s) {
   }
   warn_of_parabolas(s);
   if (*s->line->request.stop)
-    return po_fail(PO_INTERRUPTED, "interrupted: %s/summary.csv has %zu of %zu laws",
-                   s->line->output, laws, s->table.row_count);
+    return po_fail(
+        PO_INTERRUPTED,
+        "interrupted: %s/summary.csv has %zu of %zu laws; the same command goes on there",
+        s->line->output, laws, s->table.row_count);
   if (!laws)
     return po_fail(s->rows[first].status, "no row of %s has a law; row %zu: %s", s->table.path,
                    first + 1, s->rows[first].reason);
   printf("%zu %s in %s, with summary.csv\n", laws, po_one_or_more(laws, "law", "laws"),
          s->line->output);
+  if (s->kept)
+    printf("%zu %s there already, made from the same %s and options\n", s->kept,
+           po_one_or_more(s->kept, "row was", "rows were"), po_one_or_more(s->kept, "row", "rows"));
   if (refused)
     printf("%zu %s no law, the first is row %zu: %s\n", refused,
            po_one_or_more(refused, "row has", "rows have"), first + 1, s->rows[first].reason);
@@ -291,12 +342,15 @@ po_status po_law_sets(const po_law_line *line) {
   po_status status = open_sets(&s);
   if (!status)
     status = po_folder_make(line->output);
+  if (!status)
+    status = po_law_store_open(line->output, &s.store);
   if (!status) {
     do_rows(&s, line->jobs > 0 ? line->jobs : po_environment_cores());
     status = s.broken ? po_fail(s.status, "%s", s.message) : write_summary(&s);
   }
   if (!status)
     status = conclude(&s);
+  po_law_store_clear(&s.store);
   free(s.keys);
   free(s.rows);
   po_csv_clear(&s.table);

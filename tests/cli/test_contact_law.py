@@ -419,7 +419,7 @@ def test_sets():
     found, other = summary("one"), summary("two")
     assert [{**row, "seconds": ""} for row in found] == [{**row, "seconds": ""} for row in other]
     assert [row["status"] for row in found] == ["ok", "bad_input", "ok", "bad_input"]
-    assert sorted(path.name for path in pathlib.Path("one").iterdir()) == ["pair_1.h", "pair_3.h", "summary.csv"]
+    assert sorted(path.name for path in pathlib.Path("one").iterdir()) == ["laws.jsonl", "pair_1.h", "pair_3.h", "summary.csv"]
     for row, cells in zip(found, rows):
         words = [f"--{key} {cell}" for key, cell in zip(("tabor", "amplitude", "wavelength"), cells.split(",")) if cell != "-"]
         alone = run(f"contact-law {' '.join(words)} --error 1e-3 --name pair_{row['row']}")
@@ -450,6 +450,57 @@ def test_sets_in_si_units():
         forces = [float(line.split(",")[2]) for line in alone.splitlines() if line.startswith("in,")]
         assert float(row["pull_off_force_n"]) == pytest.approx(-min(forces), rel=0.02)
         assert 0 < float(row["energy_lost_j"]) and float(row["jump_out_m"]) < float(row["jump_in_m"]) < 0
+
+
+@pytest.mark.parametrize("columns, cells, words, alone", [
+    ("alpha,amplitude", "0.05,0.02", "--tabor 1.5", f"--tabor 1.5 --amplitude 0.02 --wavelength {math.sqrt(0.02 * 100 / 0.05)!r}"),
+    ("amplitude_ratio,wavelength", "0.004,15", "--tabor 1.5", "--tabor 1.5 --amplitude 0.06 --wavelength 15"),
+    ("outer_ratio", "0.5", "--tabor 1.5", "--tabor 1.5 --outer-radius 50"),
+    ("amplitude_ratio,wavelength_m", "0.0078125,5.12e-9", "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8",
+     "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8 --amplitude-m 4e-11 --wavelength-m 5.12e-9"),
+])
+def test_sets_of_groups(columns, cells, words, alone):
+    """Columns of dimensionless groups were refused. Each sets the key that it belongs to; the command in the file is one of this verb."""
+    pathlib.Path("sets.csv").write_text(f"{columns}\n{cells}\n")
+    expect(0, "", f"contact-law --sets sets.csv --error 1e-2 --format csv --output laws {words}")
+    law = pathlib.Path("laws/pulloff_law_1.csv").read_text()
+    assert law == expect(0, "", f"contact-law --error 1e-2 --format csv --name pulloff_law_1 {alone}").out
+    [again] = [line.split("pulloff ", 1)[1] for line in law.splitlines() if "pulloff contact-law" in line]
+    assert expect(0, "", f"{again} --name pulloff_law_1").out == law
+
+
+def test_sets_go_on():
+    """What is in the folder, whole and made from the same row and options, is not made again."""
+    def make(rows, words=""):
+        pathlib.Path("sets.csv").write_text("tabor,amplitude,wavelength\n" + "\n".join(rows) + "\n")
+        said = expect(0, "", f"contact-law --sets sets.csv --error 1e-2 --output laws -j1 {words}").out
+        kept = [line for line in said.splitlines() if "already, made from the same row" in line]
+        files = {path.name: path.read_bytes() for path in pathlib.Path("laws").glob("*.h")}
+        return int(kept[0].split()[0]) if kept else 0, files, summary("laws")
+    rows = ["1.37,-,-", "2.911,1.4,20", "0.9,-,-"]
+    none, files, first = make(rows)
+    assert none == 0 and sorted(files) == ["pulloff_law_1.h", "pulloff_law_3.h"] and first[1]["status"] == "bad_input"
+    assert make(rows) == (3, files, first)  # seconds, too: those of the solves
+    # A file that was altered or lost, a line that was altered, and the beginning of one
+    pathlib.Path("laws/pulloff_law_1.h").write_bytes(files["pulloff_law_1.h"][:-100])
+    assert make(rows)[:2] == (2, files)
+    pathlib.Path("laws/pulloff_law_3.h").unlink()
+    assert make(rows)[:2] == (2, files)
+    store = pathlib.Path("laws/laws.jsonl")
+    lines = store.read_text().splitlines()
+    store.write_text("\n".join([lines[0].replace('"pull_off":1.', '"pull_off":2.'), *lines[1:3], lines[3][:60]]))
+    assert make(rows)[:2] == (2, files)
+    # Another row and other options
+    assert make(["1.37,-,-", "2.911,1.4,20", "0.91,-,-"])[0] == 2
+    assert make(rows, "--error 5e-3")[0] == 0
+    assert make(rows, "--name other")[0] == 0
+    assert make(rows, "--preload-load 5")[0] == 0
+    # A profile whose file changed
+    for depth in 1, 1, 1.1:
+        pathlib.Path("tip.csv").write_text("r,gap\n" + "".join(f"{k},{depth * k * k / 200}\n" for k in range(60)))
+        kept = make(["1,-,-"], "--profile-file tip.csv --preload 2 --name tip")[0]
+        assert kept == (depth == 1 and "tip" in files)
+        files["tip"] = b""
 
 
 @pytest.mark.parametrize("code, message, table, words", [
@@ -485,3 +536,8 @@ def test_sets_that_are_interrupted():
     states = [row["status"] for row in summary("laws")]
     assert process.returncode == 130 and "laws/summary.csv has " in said
     assert len(states) == 60 and states[0] == "ok" and states[-1] == "interrupted" and set(states) == {"ok", "interrupted"}
+    # The same command, of which ten rows suffice, goes on there.
+    pathlib.Path("sets.csv").write_text("".join(pathlib.Path("sets.csv").read_text().splitlines(True)[:11]))
+    done = states[:10].count("ok")
+    said = expect(0, "", "contact-law --sets sets.csv --output laws -j1").out
+    assert said.startswith("10 laws in laws") and (f"{done} row" in said.splitlines()[1] or len(states) > 99)

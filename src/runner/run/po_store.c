@@ -1,16 +1,13 @@
 #include "po_store.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "po_file.h"
 #include "po_input.h"
 #include "po_json.h"
+#include "po_lines.h"
 #include "po_memory.h"
 #include "po_record.h"
 #include "po_result_rows.h"
@@ -48,25 +45,6 @@ static po_status add_line(po_case_run *run, size_t point, po_text *text) {
   return status;
 }
 
-/* Returned: whether a file of `size` bytes ends without a newline. */
-static bool lacks_newline(int file, off_t size) {
-  char last = '\n';
-  return size > 0 && pread(file, &last, 1, size - 1) == 1 && last != '\n';
-}
-
-/* Appends a line with one write, because another process may append to the same file. After the
- * beginning of a line, which a killed process or a full disk leaves, it starts with a newline.
- * Returned: 0 or the errno. */
-static int append_line(int file, const po_text *line) {
-  struct stat found;
-  if (fstat(file, &found) != 0 || (lacks_newline(file, found.st_size) && write(file, "\n", 1) != 1))
-    return errno;
-  errno = ENOSPC; /* a short write does not set it */
-  return write(file, line->data, line->length) == (ssize_t)line->length ? 0 : errno;
-}
-
-/* The line is not flushed to the disk, which takes longer than a quick solve: after a power failure
- * its checksum shows whether it is whole. */
 po_status po_store_put(po_case_run *run, size_t point, const char *folder) {
   const po_file_path path = po_path_join(folder, NAME);
   po_text line = {0};
@@ -75,14 +53,8 @@ po_status po_store_put(po_case_run *run, size_t point, const char *folder) {
     status = add_line(run, point, &line);
   if (!status)
     status = po_no_memory_or(PO_OK); /* the line may be incomplete */
-  if (!status) {
-    const int file = open(path.text, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    int error = file < 0 ? errno : append_line(file, &line);
-    if (file >= 0 && close(file) != 0 && !error)
-      error = errno;
-    if (error)
-      status = po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path.text, strerror(error));
-  }
+  if (!status)
+    status = po_lines_append(path.text, &line);
   po_text_clear(&line);
   return status;
 }
@@ -109,54 +81,34 @@ static int by_key(const void *a, const void *b) {
   return strcmp(((const wanted *)a)->key, ((const wanted *)b)->key);
 }
 
+typedef struct {
+  po_case_run *run;
+  const wanted *list; /* by key */
+  size_t count;
+} reading;
+
 /* Reads a line into the points with its key: several that differ only in what has no influence have
  * the same. A result that is known from an earlier line remains if this one is not intact. */
-static po_status read_line(po_case_run *run, const char *line, size_t length, const wanted *list,
-                           size_t count) {
-  json_t *document = NULL;
-  bool intact = false;
+static po_status read_line(void *data, const json_t *document, bool whole) {
+  const reading *r = data;
+  po_case_run *run = r->run;
   wanted sought;
-  po_status status = po_json_parse_checked(line, length, &document, &intact);
-  snprintf(sought.key, sizeof sought.key, "%s", po_record_text(document, "key"));
+  snprintf(sought.key, sizeof sought.key, "%s", document ? po_record_text(document, "key") : "");
   const wanted *found =
-      status || !intact ? NULL : bsearch(&sought, list, count, sizeof *list, by_key);
-  run->altered += status == PO_CANNOT_READ || (!status && !intact);
-  while (found && found > list && by_key(found - 1, found) == 0)
+      document ? bsearch(&sought, r->list, r->count, sizeof *r->list, by_key) : NULL;
+  po_status status = PO_OK;
+  run->altered += whole && !document;
+  while (found && found > r->list && by_key(found - 1, found) == 0)
     --found;
   run->untidy = run->untidy || !found || run->points[found->point].done;
-  for (; !status && found && found < list + count && by_key(found, &sought) == 0; ++found) {
+  for (; !status && found && found < r->list + r->count && by_key(found, &sought) == 0; ++found) {
     po_point_run *point = &run->points[found->point];
     status = po_record_read_result(run, found->point, document);
     point->done = !status;
     snprintf(point->checksum, sizeof point->checksum, "%s",
              status ? "" : po_record_text(document, "checksum"));
   }
-  json_decref(document);
   return status == PO_NO_MEMORY ? status : PO_OK;
-}
-
-/* Reads the file line by line: with curves, it may be larger than what is read at once. The last
- * line counts only if it is complete. */
-static po_status read_lines(po_case_run *run, const char *path, const wanted *list, size_t count) {
-  char *line = NULL;
-  size_t size = 0;
-  po_status status = PO_OK;
-  po_memory_watch();
-  FILE *file = fopen(path, "re");
-  errno = file ? 0 : errno;
-  for (ssize_t length; file && !status && (length = getline(&line, &size, file)) > 0;)
-    if (line[length - 1] == '\n')
-      status = read_line(run, line, (size_t)length, list, count);
-    else
-      run->untidy = true;
-  if (po_memory_ran_out() && !status)
-    status = po_fail(PO_NO_MEMORY, "no memory to read %s", path);
-  else if (!status && (file ? ferror(file) : errno != ENOENT))
-    status = po_fail(PO_CANNOT_READ, "%s cannot be read: %s", path, strerror(errno));
-  free(line);
-  if (file)
-    fclose(file);
-  return status;
 }
 
 po_status po_store_read(po_case_run *run, const char *folder) {
@@ -171,7 +123,8 @@ po_status po_store_read(po_case_run *run, const char *folder) {
     }
   if (!status && count) {
     qsort(list, count, sizeof *list, by_key);
-    status = read_lines(run, po_path_join(folder, NAME).text, list, count);
+    reading r = {run, list, count};
+    status = po_lines_read(po_path_join(folder, NAME).text, read_line, &r);
   }
   free(list);
   return status;

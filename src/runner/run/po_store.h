@@ -3,10 +3,8 @@
  * determines the result, so a result is used wherever it is found: in a later run, in one with
  * other points, in the folder of a shard.
  *
- * A line is appended with one write when its point is solved, and is never changed. So a process
- * that is killed leaves at most the beginning of a line, which is ignored; an altered line is
- * noticed; and two processes may append to one file. Nothing is locked. A later line of a point
- * replaces an earlier one, so stores can be concatenated. */
+ * A line is appended when its point is solved, as po_lines.h says. A later line of a point replaces
+ * an earlier one, so stores can be concatenated. */
 #ifndef PO_STORE_H
 #define PO_STORE_H
 
