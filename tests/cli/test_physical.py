@@ -303,7 +303,7 @@ def test_uncertain_bodies():
     bodies = [(9e9, 0.22), (2e9, 0.4)]
     scene = f"solve {TWO} --radius-m 2e-8,5e-8"
     found = document(f"{scene} --young-pa 9e9+-1e8,2e9+-3e7 --poisson 0.22,0.4+-0.01")["uncertainty"]["sources"]
-    assert [s["source"] for s in found] == ["young-pa of body 1", "young-pa of body 2", "poisson of body 2"]
+    assert [s["source"] for s in found] == ["young_pa of body 1", "young_pa of body 2", "poisson of body 2"]
     assert [(s["value"], s["deviation"]) for s in found] == [(9e9, 1e8), (2e9, 3e7), (0.4, 0.01)]
     modulus = contact(*bodies)
     whole = document(f"{scene} --modulus-pa {modulus!r}+-{modulus / 100!r}")["uncertainty"]["sources"][0]["force"]
@@ -311,7 +311,7 @@ def test_uncertain_bodies():
         part = (1 - nu**2) / e * modulus
         assert source["force"] == pytest.approx(whole * 100 * change * part, rel=0.05)
     [radius] = document(f"solve {TWO} --modulus-pa 2e9 --radius-m 2e-8+-1e-10,5e-8")["uncertainty"]["sources"]
-    assert radius["source"] == "radius-m of body 1" and radius["force"] > 0
+    assert radius["source"] == "radius_m of body 1" and radius["force"] > 0
 
 
 @pytest.mark.parametrize("words, message", [
@@ -352,7 +352,7 @@ def test_uncertain_surface_energies():
     """Each is a source of its own: d F/d gamma is d F/d w, with the sign of its term."""
     found = document(f"{ENERGIES} --surface-energies-j-per-m2 0.025+-0.001,0.04+-0.002,0.015+-0.003")["uncertainty"]["sources"]
     whole = document(f"{ENERGIES} --work-j-per-m2 0.05+-0.001")["physical"]["uncertainty"]["sources"][0]
-    names = [f"surface-energies-j-per-m2 of {part}" for part in ("body 1", "body 2", "the interface")]
+    names = [f"surface_energies_j_per_m2 of {part}" for part in ("body 1", "body 2", "the interface")]
     assert [(s["source"], s["value"], s["deviation"]) for s in found] == list(zip(names, (0.025, 0.04, 0.015), (0.001, 0.002, 0.003)))
     si = document(f"{ENERGIES} --surface-energies-j-per-m2 0.025+-0.001,0.04+-0.002,0.015+-0.003")["physical"]["uncertainty"]["sources"]
     for source, times in zip(si, (1, 2, 3)):

@@ -387,7 +387,7 @@ def test_tables_of_materials_that_are_refused(content, message, tmp_path):
     (f"--scheme ring {SOLID} 1", "*viscoelastic is given with the scheme ring: expected panel"),
     (f"--preload inf {SOLID} 1", "*preload is inf beside viscoelastic: expected a finite number"),
     (f"--want curve {SOLID} 1", "*a result other than history, profile and theories is wanted beside viscoelastic*"),
-    (f"--tabor 1+-0.1 {SOLID} 1", "*an uncertain input is given beside viscoelastic: expected none"),
+    ("--viscoelastic sls:0.1+-0.01 --unload-speed 1", "*--viscoelastic is sls:0.1+-0.01: expected sls:K or gamma:K,N*"),
     ("--want history", "*history is wanted: expected it beside viscoelastic"),
     ("--unload-speed-m-per-s 1 --viscoelastic sls:0.1", "*--unload-speed-m-per-s is 1: expected it with --from-physical*"),
 ])

@@ -33,8 +33,8 @@ def uncertain(words):
     (2, "--tabor is +-1: expected a number, or*", "solve --tabor +-1"),
     (2, "--nodes is 100+-1: expected a value without uncertainty", "solve --scheme ring --nodes 100+-1"),
     (2, "--tabor is 1+-2, and moved by twice its uncertainty it is refused: --tabor is -3: expected a finite number >= 0", "solve --tabor 1+-2"),
-    (2, "--tabor is 1±0.1: expected a finite number >= 0; an uncertain number is written 0.05+-0.01, and only solve and cases take it", "solve --tabor 1±0.1"),
-    (2, "--tabor is 1+-0.1: expected *, and only solve and cases take it", "plot --tabor 1+-0.1"),
+    (2, "--tabor is 1±0.1: expected a finite number >= 0; an uncertain number is written 0.05+-0.01, and only solve and cases take it; in place of follow, a case with a sweep does", "solve --tabor 1±0.1"),
+    (2, "--tabor is 1+-0.1: expected *, and only solve and cases take it; *", "plot --tabor 1+-0.1"),
     (2, "--smooth is 0: expected a finite number > 0, or auto", "solve --smooth 0"),
     (2, "--smooth is no: expected a finite number > 0, or auto", "solve --smooth no"),
     (2, "--smooth is auto: expected it beside the file of a profile", "solve --smooth auto"),
@@ -172,6 +172,48 @@ def test_preload_that_decides_between_two_minima():
     assert uncertain(JUMP + " 1.6+-0.05")[1]["force"] == pytest.approx(0, abs=1e-6)
 
 
+def test_viscoelastic():
+    """They were refused. The force through speed and time is that of both together: unloading at v with the time tau is at v tau."""
+    scene = ("solve --from-physical --modulus-pa 2e9 --work-j-per-m2 {} --distance-m 5e-10 --radius-m 1e-8 --viscoelastic sls:0.3 "
+             "--relaxation-time-s {} --unload-speed-m-per-s {} --preload-load-n 2e-9 --tolerance 1e-3")
+    found = document(scene.format("0.05+-0.002", "0.1+-0.005", "5e-9+-2.5e-10"))
+    sources = found["physical"]["uncertainty"]["sources"]
+    assert [s["source"] for s in sources] == ["work_j_per_m2", "relaxation_time_s", "unload_speed_m_per_s"]
+    assert sources[1]["force_n"] == pytest.approx(sources[2]["force_n"], rel=1e-6) and sources[1]["above_n"] > 0 > sources[1]["below_n"]
+    for k, (low, high) in enumerate((("0.046", "0.054"), ("0.09", "0.11"))):
+        forces = [document(scene.format(*(value if i == k else ("0.05", "0.1")[i] for i in range(2)), "5e-9"))["physical"]["pull_off"]["force_n"]
+                  for value in (low, high)]
+        assert sources[k]["force_n"] == pytest.approx((forces[1] - forces[0]) / 4, rel=1e-6)
+    plain = document(scene.format("0.05", "0.1", "5e-9"))
+    assert plain["physical"]["pull_off"] == found["physical"]["pull_off"]
+
+
+def test_series_name_the_way():
+    """follow has no uncertainties; its message says what has."""
+    expect(2, "pulloff: --tabor is 1+-0.1: expected a finite number >= 0; an uncertain number is written 0.05+-0.01, and only solve and cases take "
+           "it; in place of follow, a case with a sweep does", "follow --key amplitude --from 0.1 --to 0.3 --points 3 --wavelength 20 --tabor 1+-0.1")
+
+
+def test_sample_beside_uncertain_numbers(data):
+    """Scenes that are drawn have the uncertainties of the other numbers; the ranges that are drawn from have none."""
+    text = """
+name: drawn
+title: Drawn tips
+suites: [smoke]
+scene: {tabor: 1+-0.05, radius: 100, outer_radius: inf, scheme: panel, tolerance: 1e-3, wavelength: 20}
+sample: {seed: 3, count: 2, keys: [{key: amplitude, from: 0.01, to: 0.1}]}
+want: [pull_off]
+"""
+    data.case("drawn", text)
+    expect(0, "drawn: 2 points*", "run drawn --output run")
+    for point in load("run/drawn/record.json")["points"]:
+        words = f"solve --tabor 1+-0.05 --amplitude {point['input']['amplitude']!r} --wavelength 20 --tolerance 1e-3"
+        assert point["uncertainty"]["force"] == pytest.approx(uncertain(words)[1]["force"], rel=1e-6)
+    data.case("drawn", text.replace("to: 0.1}", "to: 0.1+-0.01}"))
+    expect(2, "*sample.keys?1?.to is 0.1+-0.01: expected a number without uncertainty, as scenes are drawn between from and to; other numbers *",
+           "run drawn --output run")
+
+
 def test_nothing_else_changes():
     """The results without uncertainties are those of the same input without +-, to the last bit."""
     plain, with_uncertainty = document("solve --tabor 1.385"), document("solve --tabor 1.385+-0.1")
@@ -236,7 +278,7 @@ def test_case(data):
         for point, row, radius in zip(points, rows, ("1e-8+-1e-9", "3e-8"), strict=True):
             words = f"solve --from-physical --modulus-pa 2e9 --work-j-per-m2 {work} --distance-m 3e-10 --radius-m {radius}"
             found, expected = point["physical"]["uncertainty"], document(words)["physical"]["uncertainty"]
-            assert [s["source"].replace("_", "-") for s in found["sources"]] == [s["source"] for s in expected["sources"]]
+            assert [s["source"] for s in found["sources"]] == [s["source"] for s in expected["sources"]]
             assert all(s["force_n"] > 0 for s in expected["sources"])
             for mine, other in zip([found, *found["sources"]], [expected, *expected["sources"]]):
                 assert mine["force_n"] == pytest.approx(other["force_n"], rel=1e-6)
@@ -275,7 +317,7 @@ want: [pull_off]
     [point] = load("run/bodies/record.json")["points"]
     words = "--young-pa 160e9,2e9+-2e8 --poisson 0.2,0.4 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-8+-1e-9"
     _, total, sources = uncertain("solve --from-physical " + words)
-    assert [s["source"].replace("_", "-") for s in point["uncertainty"]["sources"]] == [s["source"] for s in sources]
+    assert [s["source"] for s in point["uncertainty"]["sources"]] == [s["source"] for s in sources]
     assert len(sources) == 2
     assert point["uncertainty"]["force"] == pytest.approx(total["force"], rel=1e-6)
 

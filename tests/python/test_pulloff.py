@@ -47,6 +47,15 @@ class SameNumbers(unittest.TestCase):
             words = [word for key, value in keys.items() for word in ("--" + key.replace("_", "-"), str(value))]
             self.assertEqual(timeless(program("solve", *words)), timeless(pulloff.solve(**keys).document), keys)
 
+    def test_uncertain_numbers(self):
+        """The names of the sources had the dashes of the options in the program, and the digests differed."""
+        keys = {"modulus_pa": "2e9", "work_j_per_m2": "0.05+-0.002", "distance_m": "3e-10", "radius_m": "1e-8+-1e-9"}
+        words = [word for key, value in keys.items() for word in ("--" + key.replace("_", "-"), value)]
+        shown, result = program("solve", "--from-physical", *words), pulloff.solve(**keys)
+        self.assertEqual(shown["digest"], result.document["digest"])
+        self.assertEqual(timeless(shown)["uncertainty"], timeless(result.document)["uncertainty"])
+        self.assertEqual([source["source"] for source in shown["uncertainty"]["sources"]], ["work_j_per_m2", "radius_m"])
+
     def test_arrays(self):
         result = pulloff.solve(tabor=3, amplitude=1, wavelength=20, outer_radius=100, want=["curve", "profile"])
         shown = program("solve", "--tabor", "3", "--amplitude", "1", "--wavelength", "20", "--outer-radius", "100", "--want",

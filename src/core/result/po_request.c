@@ -105,8 +105,6 @@ static po_status check_viscoelastic(const po_request *request) {
                    PO_SCHEMES[request->mesh.scheme]);
   if (isinf(request->preload.approach))
     return po_fail(PO_BAD_INPUT, "preload is inf beside viscoelastic: expected a finite number");
-  if (request->variations > 0)
-    return po_fail(PO_BAD_INPUT, "an uncertain input is given beside viscoelastic: expected none");
   const unsigned others =
       request->want & ~(unsigned)(PO_WANT_HISTORY | PO_WANT_THEORIES | PO_WANT_PROFILE);
   return others

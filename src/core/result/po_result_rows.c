@@ -151,7 +151,7 @@ static const po_block ANY_ROWS = BLOCK("pull_off_any", ANY, NULL);
 #undef S
 #define S po_uncertain
 static const po_row UNCERTAIN[] = {
-  TEXT("source", source, "the option of an uncertain input, or `noise` of the profile"),
+  TEXT("source", source, "the key of an uncertain input, or `noise` of the profile"),
   NUMBER("value", value, NONE, "", "of noise", "the input as it was given"),
   NUMBER("deviation", deviation, NONE, "", "", "its standard uncertainty; of noise, in the unit of the file"),
   NUMBER("below", below, LOAD, "", "if that solve failed", "change of the pull-off force when the input is less by twice `deviation`"),

@@ -261,8 +261,15 @@ static po_status parse_key(po_case_file *file, unsigned index, const char *where
   return PO_OK;
 }
 
+static const char WITHOUT_UNCERTAINTY[] =
+    "a number without uncertainty, as scenes are drawn between from and to; other numbers of the "
+    "scene may have one";
+
 static po_status parse_range(po_draw *draw, const char *where, const po_yaml *yaml) {
   po_request any = po_request_default();
+  const bool from = strstr(draw->from_text, "+-") != NULL;
+  if (from || strstr(draw->to_text, "+-"))
+    return po_fields_refuse(yaml, WITHOUT_UNCERTAINTY, "%s.%s", where, from ? "from" : "to");
   if (draw->scale && !po_range_read_scale(draw->scale, &draw->log))
     return po_fields_refuse(yaml, NULL, "%s.scale", where);
   if (!po_number_parse(draw->from_text, &draw->from) ||

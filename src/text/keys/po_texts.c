@@ -29,7 +29,8 @@ void po_texts_name(const po_texts *given, po_key key, char name[PO_KEY_NAME_LENG
 }
 
 static const char UNCERTAIN[] =
-    "; an uncertain number is written 0.05+-0.01, and only solve and cases take it";
+    "; an uncertain number is written 0.05+-0.01, and only solve and cases take it; in "
+    "place of follow, a case with a sweep does";
 
 /* Refuses a key with its value, or because it is missing. */
 static po_status __attribute__((format(printf, 3, 4)))

@@ -16,7 +16,8 @@ bool po_uncertain_may(int key) {
     return false;
   const po_key target = po_key_target((po_key)key);
   return po_key_is_continuous((po_key)key) || po_key_is_list((po_key)key) ||
-         key == PO_KEY_TABLE_SCALE || target == PO_KEY_PRELOAD || target == PO_KEY_PRELOAD_LOAD;
+         key == PO_KEY_TABLE_SCALE || key == PO_KEY_RELAXATION_TIME_S || target == PO_KEY_PRELOAD ||
+         target == PO_KEY_PRELOAD_LOAD;
 }
 
 static po_status refuse_value(po_texts *given, int key, const char *text) {
@@ -116,7 +117,9 @@ static po_status vary(po_uncertain_inputs *u, size_t k, const po_texts *given,
   po_status status = PO_OK;
   *v = (po_variation){.value = number->value, .deviation = number->deviation};
   po_texts_write_name(given, number->key, name);
-  snprintf(v->source, sizeof v->source, "%.28s%s", name + strspn(name, "-"), part_of(number, text));
+  /* the name of the key, not that of the option: documents are those of the library and of cases */
+  snprintf(v->source, sizeof v->source, "%.28s%s", PO_KEYS[number->key].name,
+           part_of(number, text));
   for (int more = 0; more < 2 && !status; ++more) {
     po_request *moved = &u->moved[2 * k + (size_t)more];
     const double by = PO_VARIATION_REACH * number->deviation;

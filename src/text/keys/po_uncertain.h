@@ -18,7 +18,8 @@ typedef struct {
   po_request *moved;       /* the request with each number less and more */
 } po_uncertain_inputs;
 
-/* Whether a number may be uncertain: one of the scene, in SI units or not, or of the preload. */
+/* Whether a number may be uncertain: one of the scene, in SI units or not, of the preload, or a
+ * speed or time of a viscoelastic body. */
 bool po_uncertain_may(int key);
 
 /* Reads the uncertainties of the texts and cuts them off. Returned: in `given` the texts without,
