@@ -161,7 +161,7 @@ def test_refusals():
 
 def test_lammps():
     """Index, distance, energy, force; the force is minus the derivative of the energy."""
-    branches, _, _ = law("--tabor 2.385")
+    branches, _, _ = law("--tabor 2.385 --radius 41")
     text = expect(0, "", "contact-law --tabor 2.385 --radius 41 --format lammps --name PAIR").out
     lines = text.splitlines()
     begin = lines.index("PAIR")

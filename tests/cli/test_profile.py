@@ -417,7 +417,7 @@ def test_the_profile_at_a_load():
     expect(2, "pulloff: profile_load is 2 beside profile_approach: expected one of both", "solve --profile-load 2 --profile-approach 1")
     si = "--from-physical --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --modulus-pa 1e9"
     expect(2, "pulloff: --profile-load is 1: expected --profile-load-n, *", f"solve {si} --profile-load 1")
-    newtons = 0.05 * math.pi * 0.05 * 1e-7
+    newtons = 0.005 * math.pi * 0.05 * 1e-7
     ours = document(f"solve {si} --profile-load-n {newtons!r} --want curve")
     assert any(abs(point["load_n"] - newtons) < 1e-9 * newtons and point["approach_m"] == ours["physical"]["profile_approach_m"]
                for point in ours["physical"]["curve"])
