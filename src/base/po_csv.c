@@ -249,7 +249,12 @@ static po_status parse(po_csv *csv, size_t size, table_rules rules) {
     else if (!csv->columns)
       status = begin_columns(csv, line, number, rules);
     else if (rules.comments && is_header)
-      ;             /* left out */
+      ; /* left out */
+    else if (is_header)
+      status =
+          po_fail(PO_CANNOT_READ,
+                  "%s:%zu: a line with # stands after the names of the columns: expected a row",
+                  csv->path, number);
     else if (blank) /* not after the rows */
       status = refuse_count(csv, blank, 0);
     else

@@ -318,10 +318,12 @@ static po_status find_decimal_mark(form *f) {
 
 /* -- Writing -- */
 
+/* In quotes where the reader would take it for something else: a first cell with # for a comment.
+ */
 static void add_cell(po_text *text, const char *cell, bool first) {
   const size_t length = strlen(cell);
   po_text_add(text, first ? "" : ",");
-  if (length && !strpbrk(cell, ",\"") && !strchr(BLANKS, cell[0]) &&
+  if (length && !(first && *cell == '#') && !strpbrk(cell, ",\"") && !strchr(BLANKS, cell[0]) &&
       !strchr(BLANKS, cell[length - 1])) {
     po_text_add_bytes(text, cell, length);
     return;

@@ -237,6 +237,8 @@ static const struct {
 } DAMAGED[] = {
     {"", "t.csv is empty: expected a table"},
     {"# what: x\n", "t.csv:2: there is no line of column names"},
+    {"a,b\n#1,2\n3,4\n",
+     "t.csv:2: a line with # stands after the names of the columns: expected a row"},
     {"a,b\n1\n", "t.csv:2: the row has 1 cell: expected 2, separated by commas"},
     {"a,b\n1,2,3\n", "t.csv:2: the row has 3 cells: expected 2, separated by commas (decimal "
                      "commas need another separator)"},
