@@ -73,3 +73,18 @@ TABLE_TEST(load_between_the_nodes_of_a_panel_with_waves_is_seen, WAVES) {
   ck_assert_double_gt(po_resolution_excess(&r, p.panels, gap), 2.0);
   free(p.panels);
 }
+
+/* A panel longer than a wave whose nodes have the load is not asked for more. */
+TEST(a_panel_of_a_small_wave_is_resolved) {
+  one_panel p;
+  set_up(5.0, 0.01, 6.0, &p);
+  double gap[PO_TABLE_ORDER], load;
+  for (int j = 0; j < PO_TABLE_ORDER; ++j)
+    gap[j] = APART +
+             po_initial_gap(&p.scene, p.surface.core_radius * po_panel_table_get()->rule.node[j]);
+  ck_assert_double_lt(missed_load(&p, &load), 1e-6 * fabs(load));
+  const po_resolution r = po_resolution_of(&p.e, (po_allowance){INFINITY, 1e-3 * fabs(load)});
+  ck_assert_double_gt(p.surface.core_radius, r.detail);
+  ck_assert_double_lt(po_resolution_excess(&r, p.panels, gap), 0.1);
+  free(p.panels);
+}
