@@ -17,6 +17,8 @@ import subprocess
 import threading
 import time
 
+import preloads
+
 
 class SourceError(Exception):
     """The reason why a source has no number, in one line."""
@@ -99,6 +101,7 @@ class Sources:
         self.program, self.run, self.kept = program, run, kept
         self.trees = [paper, tree] if paper else [tree]   # a table is looked for in the folder of the paper first
         self.used = set()
+        self.same = {}      # commands that are not run, by the command with the same force (preloads.py)
         self.seconds = 0.0
         with open(program, "rb") as stream:
             self.digest = hashlib.sha256(stream.read()).hexdigest()
@@ -117,16 +120,22 @@ class Sources:
         return os.path.join(self.kept, key + ".json")
 
     def prepare(self, wanted):
-        """Runs the commands of these sources whose output is not stored, one on each core. A failure is reported by
-        get, which runs the command again."""
-        lines = dict.fromkeys(line for source in wanted if "pulloff" in source for line in commands(source))
-        missing = [line for line in lines if not os.path.exists(self.path_of(line))]
+        """Runs the commands of these sources, one on each core, but not those whose force that of another one gives. A failure
+        is reported by get, which runs the command again."""
+        paths = {}
+        for source in wanted:
+            for line in commands(source) if "pulloff" in source else ():
+                paths.setdefault(line, []).append(source["at"])
+        scenes = preloads.scenes(paths)
         with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-            for made in [pool.submit(self.compute, line, self.path_of(line)) for line in missing]:
-                made.exception()
+            shared = [pool.submit(preloads.same_force, lines, self.attempt) for lines in scenes]
+            for line in paths.keys() - set(itertools.chain.from_iterable(scenes)):
+                pool.submit(self.attempt, line)
+        self.same = {line: other for made in shared for line, other in made.result().items()}
 
     def document(self, line):
-        """The JSON document that a command prints."""
+        """The JSON document that a command prints, or one with the same force."""
+        line = self.same.get(line, line)
         path = self.path_of(line)
         self.used.add(path)
         try:
@@ -134,6 +143,13 @@ class Sources:
                 return json.load(stream)
         except (OSError, json.JSONDecodeError):
             return self.compute(line, path)
+
+    def attempt(self, line):
+        """The document of a command, None if it failed."""
+        try:
+            return self.document(line)
+        except SourceError:
+            return None
 
     def compute(self, line, path):
         begin = time.monotonic()

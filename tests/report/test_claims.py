@@ -21,6 +21,7 @@ import checksum  # noqa: E402
 import formula  # noqa: E402
 import judge  # noqa: E402
 import others  # noqa: E402
+import preloads  # noqa: E402
 import robust  # noqa: E402
 import run  # noqa: E402
 import sources  # noqa: E402
@@ -529,6 +530,45 @@ class Robust(unittest.TestCase):
                                 ({"preloads": ["1", "2"]}, "expected --preload NUMBER"), ({"value": "froce"}, "not got: froce")):
             with self.assertRaisesRegex(book.BookError, message):
                 book.check_survey({**survey, **change}, "made")
+
+
+class Preloads(unittest.TestCase):
+    """Commands that differ only in the preload."""
+
+    STEPS = {"": (-1, 4.8, 14.4), "-load": (0, 0.7, 1.3)}           # where the force grows, and its load
+    VALUES = {"": (-2, 0, 1, 3, 4.8001, 5, 5.5, 6, 9, 20, 21), "-load": (0, 0.1, 0.2, 0.3, 0.65, 0.7, 0.8, 1.2, 2, 3)}
+
+    def document(self, line):
+        """A made-up scene; it fails without a minimum before the preload, and at the preload 5.5."""
+        self.run.append(line)
+        _, of_load, value = preloads.scene_of(line)
+        steps = [step for step in self.STEPS["-load" if of_load else ""] if step <= value]
+        if not steps or value == 5.5:
+            return None
+        return {"pull_off": {"force": len(steps), "preload": {"approach": None if of_load else steps[-1]}}}
+
+    def lines(self, kind):
+        return [f"solve --tabor 3 --preload{kind} {value} --tolerance 1e-3" for value in self.VALUES[kind]]
+
+    def test_what_is_not_run_has_the_force_of_what_is_run(self):
+        for kind, most in (("", 6), ("-load", 7)):
+            self.run = []
+            lines = self.lines(kind)
+            same = preloads.same_force(lines, self.document)
+            self.assertLessEqual(len(set(self.run)), most)
+            self.assertEqual(set(same) | set(self.run), set(lines))
+            for line, other in same.items():
+                self.assertNotIn(line, self.run)
+                if "5.5" not in line:
+                    self.assertEqual(self.document(line)["pull_off"]["force"], self.document(other)["pull_off"]["force"])
+
+    def test_which_commands_belong_together(self):
+        lines = self.lines("") + self.lines("-load") + ["solve --tabor 4 --preload 1", "theory jkr --tabor 3 --preload-load 1"]
+        read = {line: ["pull_off.force", "input.tabor"] for line in reversed(lines)}
+        self.assertEqual(sorted(map(len, preloads.scenes(read))), [1, len(self.VALUES["-load"]), len(self.VALUES[""])])
+        self.assertIn(self.lines(""), preloads.scenes(read))
+        for path in ("pull_off.approach", "input.preload", "input.preload_load", "folds.#"):
+            self.assertEqual(preloads.scenes({lines[0]: ["pull_off.force", path]}), [])
 
 
 class Brief(unittest.TestCase):
