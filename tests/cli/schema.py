@@ -59,7 +59,7 @@ SOLVES = [
     (f"{WAVY_SI} {LENGTHS} --tolerance 1e-4", 0),
     (f"{SI} --profile-file metres.csv --wave 1e-11,3e-9 --outer-radius-m 1e-8 --preload-m 1e-10 --tolerance 1e-4", 0),
     (f"{SI} --profile power:5e6,2 --tolerance 1e-4", 0),
-    ("--from-physical --modulus-pa 7e5 --work-j-per-m2 0.03 --distance-m 3e-10 --radius-m 0.0125 --tolerance 1e-2 --range reduced --want hysteresis", 0),
+    ("--from-physical --modulus-pa 7e5 --work-j-per-m2 0.03 --distance-m 3e-10 --radius-m 0.0125 --tolerance 1e-2 --range reduced --want hysteresis,preload", 0),
     (f"{SI} --preload-load-n 2e-9 --stiffness-n-per-m 2 --tolerance 1e-4 --want curve,loop,preload,diagnostics", 0),
     ("--from-physical --modulus-pa 2e9 --work-j-per-m2 0.05+-0.005 --distance-m 3e-10 --profile-file metres.csv --table-scale 1 --smooth auto "
      "--outer-radius-m 1e-8 --preload-m 1e-10 --tolerance 1e-4", 0),

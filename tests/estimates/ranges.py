@@ -5,8 +5,8 @@
 Draws soft wavy spheres: Tabor parameters of 10 to 10^4, R/epsilon of 10^4 to 10^7, wavelengths of 0.13 to 3 sqrt(R mu), A R/lambda^2
 of 0.05 to 5 and preloads of 0.1 to 10 pi w R, all uniform in their logarithm. Each scene is solved with both ranges, and with the
 default if these do not apply. Prints how many were solved, the stated error over the difference, and every violation. With --solved
-only the default is solved, and its times are printed. With --loops the energies lost in loops are compared, too. With --minutes,
-scenes that are not begun by then are left out."""
+only the default is solved, and its times are printed. With --loops the energies lost in loops are compared, too, with --staircases
+the numbers of the steps that greater ranges state. With --minutes, scenes that are not begun by then are left out."""
 
 import argparse
 import concurrent.futures
@@ -29,8 +29,8 @@ def scene(seed, index):
 
 
 def solve(program, flags, kind, wanted):
-    if wanted.loops:
-        flags = {**flags, "want": "hysteresis"}
+    if wanted.loops or wanted.staircases:
+        flags = {**flags, "want": "hysteresis" if wanted.loops else "preload"}
     words = [word for name, value in {**flags, "range": kind, "tolerance": wanted.tolerance, "time-limit": wanted.time_limit}.items()
              for word in (f"--{name}", str(value))]
     return json.loads(subprocess.run([program, "solve", "--json", *words], capture_output=True, text=True, check=False).stdout)
@@ -50,6 +50,31 @@ def losses(document):
     """The energies lost in the loop at given approach and in its jumps, with their errors."""
     loop = document["hysteresis"]["displacement_control"]
     return [(part["energy_lost"], part["energy_lost_error_estimate"]) for part in (loop, *loop["jumps"])]
+
+
+def numbers(step):
+    """The numbers of a step with their errors; those of an unknown error, or none, are left out."""
+    begin, first = step["preload"], step["cycles"][0]
+    found = {"force": (step["force"], step["error_estimate"]), "approach": (step["approach"], step["approach_error_estimate"]),
+             "first approach": (begin["approach"], begin["error_estimate"]), "first load": (begin["load"], begin["load_error_estimate"]),
+             "energy lost": (first["energy_lost"], first["energy_lost_error_estimate"])}
+    return {name: pair for name, pair in found.items() if None not in pair}
+
+
+def compare_staircases(index, flags, exact, reduced):
+    """The stated errors over the differences of the steps at given approach, whose numbers are those of the step of the nearest force."""
+    factors = []
+    steps = exact["staircase"]["displacement_control"]["steps"]
+    for step in reduced["staircase"]["displacement_control"]["steps"]:
+        near = min(steps, key=lambda other: abs(other["force"] - step["force"]))
+        others = numbers(near)
+        for name, (value, error) in numbers(step).items():
+            if name not in others:
+                continue
+            factors.append((error + others[name][1]) / max(abs(value - others[name][0]), 1e-16))
+            if factors[-1] < 1:
+                print(f"scene {index}, {name} of a step: {others[name][0]:.10g} +- {others[name][1]:.1e} and {value:.10g} +- {error:.1e}: {flags}")
+    return factors
 
 
 def compare_losses(index, flags, exact, reduced):
@@ -82,6 +107,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--solved", action="store_true")
     parser.add_argument("--loops", action="store_true")
+    parser.add_argument("--staircases", action="store_true")
     parser.add_argument("--minutes", type=float, default=math.inf, help="no scene is begun later than this (no limit)")
     wanted = parser.parse_args()
     kinds = ["auto"] if wanted.solved else ["exact", "reduced"]
@@ -113,10 +139,11 @@ def main():
         print("no scene was solved with both ranges")
         return 3
     summary("scenes with both ranges", factors)
-    lost = sorted(factor for index, *pair in both for factor in compare_losses(index, scenes[index], *pair)) if wanted.loops else []
-    if lost:
-        summary("energies lost in loops and jumps", lost)
-    return 1 if min([factors[0], *lost[:1]]) < 1 else 0
+    other = compare_losses if wanted.loops else compare_staircases if wanted.staircases else None
+    more = sorted(factor for index, *pair in both for factor in other(index, scenes[index], *pair)) if other else []
+    if more:
+        summary("energies lost in loops and jumps" if wanted.loops else "numbers of steps", more)
+    return 1 if min([factors[0], *more[:1]]) < 1 else 0
 
 
 if __name__ == "__main__":

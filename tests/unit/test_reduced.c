@@ -168,6 +168,58 @@ TEST(loops_through_a_spring_are_those_of_the_true_range) {
   po_result_clear(&reduced);
 }
 
+/* A number and its error; the stated errors hold and are a small part of it. */
+static void expect_number(double exact, double error, double reduced, double stated, double part) {
+  ck_assert_double_eq_tol(reduced, exact, error + stated);
+  ck_assert_double_le(stated, part * fabs(exact));
+}
+
+static void expect_same_step(const po_step *a, const po_step *b) {
+  ck_assert(a->jumped == b->jumped && a->open == b->open);
+  expect_number(a->pull_off.load, a->pull_off_error.load, b->pull_off.load, b->pull_off_error.load,
+                1e-4);
+  expect_number(a->preload.approach, a->preload_error.approach, b->preload.approach,
+                b->preload_error.approach, 0.02);
+  expect_number(a->preload.load, a->preload_error.load, b->preload.load, b->preload_error.load, 0.3);
+  ck_assert_uint_eq(b->cycle_count, a->cycle_count);
+  for (size_t c = 0; c < a->cycle_count; ++c) {
+    const po_cycle *one = &a->cycle[c], *other = &b->cycle[c];
+    ck_assert_uint_eq(other->loss.jumps, one->loss.jumps);
+    expect_number(one->loss.energy, one->energy_error, other->loss.energy, other->energy_error,
+                  1e-2);
+  }
+}
+
+/* The pull-off after every preload: a step that begins where the sphere jumps into contact, and one
+ * where a crest does. */
+TEST(staircases_are_those_of_the_true_range) {
+  po_request request = request_of(300.0, 1e5, 50.0, 6000.0);
+  request.mesh.tolerance = 1e-4;
+  request.preload.load = 0.05;
+  request.hardest = 0.5; /* as with greater ranges */
+  request.want = PO_WANT_PRELOAD;
+  request.range = PO_RANGE_EXACT;
+  po_result exact, reduced;
+  ck_assert_int_eq(po_solve(&request, &exact), PO_OK);
+  request.range = PO_RANGE_REDUCED;
+  ck_assert_int_eq(po_solve(&request, &reduced), PO_OK);
+  ck_assert(reduced.has_staircases && reduced.range.stairs.are_known);
+  ck_assert_uint_eq(reduced.range.stairs.left_out, 0);
+  const po_staircase *a = exact.staircase.of, *b = reduced.staircase.of;
+  ck_assert_uint_eq(a[PO_AT_APPROACH].count, 2);
+  ck_assert_uint_eq(b[PO_AT_APPROACH].count, 2);
+  for (size_t k = 0; k < 2; ++k)
+    expect_same_step(&a[PO_AT_APPROACH].step[k], &b[PO_AT_APPROACH].step[k]);
+  const po_step *first = b[PO_AT_APPROACH].step;
+  ck_assert_double_eq(first->until.approach, first[1].preload.approach);
+  ck_assert_double_eq(-first[1].pull_off.load, reduced.pull_off.force);
+  ck_assert_double_eq(reduced.pull_off.pressed.approach, first[1].preload.approach);
+  ck_assert_double_eq(reduced.pull_off_any.force, reduced.pull_off.force);
+  ck_assert_uint_eq(b[PO_AT_LOAD].count, a[PO_AT_LOAD].count);
+  po_result_clear(&exact);
+  po_result_clear(&reduced);
+}
+
 static void expect_refusal(const po_request *request) {
   po_result o;
   ck_assert_int_eq(po_solve(request, &o), PO_BAD_INPUT);

@@ -104,6 +104,10 @@ static void print_range(const po_result *o) {
         "jumps: approach at most %.1e, load %.1e\n",
         o->range.loops.least, o->range.loops.greatest, o->range.loops.approach,
         o->range.loops.load);
+  if (o->range.stairs.are_known)
+    printf("stairs   limits of those with ranges %.4g to %.4g times as great; steps of light preloads "
+           "that not all of them have, and are left out: %zu\n",
+           o->range.stairs.least, o->range.stairs.greatest, o->range.stairs.left_out);
 }
 
 /* Part of R. At this contact radius the gap of the sphere exceeds that of the parabola by 2 %, and

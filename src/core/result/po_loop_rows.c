@@ -202,8 +202,8 @@ static const po_row CYCLE[] = {
   NUMBER("energy_lost", loss.energy, ENERGY, "energy_lost_error_estimate",
          "in load control, where the last jump loses without bound",
          "energy lost in all jumps of loading and unloading just beyond this preload"),
-  NUMBER("energy_lost_error_estimate", energy_error, ENERGY, "", "as `energy_lost`; " NO_BOUND,
-         "bound of the error of `energy_lost`"),
+  NUMBER("energy_lost_error_estimate", energy_error, ENERGY, "",
+         "as `energy_lost`; where the ranges of `range.stairs` have other jumps; " NO_BOUND, "bound of the error of `energy_lost`"),
   COUNT("jumps", loss.jumps, "number of these jumps"),
 };
 static const po_block CYCLE_ROWS = BLOCK("cycle", CYCLE, NULL);

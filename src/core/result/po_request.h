@@ -99,6 +99,7 @@ typedef struct po_request {
   double load_speed;   /* the same of loading; 0 or NAN: it is relaxed */
   double dwell;        /* at the preload, tau_0; INFINITY or NAN: until it is relaxed */
   po_search search;    /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
+  double hardest; /* load, pi w R, at which a search ends; 0.0: a usual one, see po_stopping.c */
   const po_theories *theories;   /* NULL: none; a search is then never known to be complete */
   const po_variation *variation; /* of uncertain inputs; NULL: none */
   size_t variations;

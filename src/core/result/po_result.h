@@ -109,6 +109,13 @@ typedef struct {
   double approach, load;  /* greatest errors of the ends of their jumps: eps, pi w R */
 } po_range_loops;
 
+/* Staircases of such a solve. */
+typedef struct {
+  bool are_known;
+  double least, greatest; /* as of loops */
+  size_t left_out; /* steps of light preloads at given approach that not all ranges have */
+} po_range_stairs;
+
 /* Why the trace of a branch ended; see po_stopping.h. */
 typedef enum {
   PO_END_NONE,       /* nothing was traced, or the status gives the reason */
@@ -164,6 +171,7 @@ typedef struct {
     double least, greatest; /* the last six ranges, relative to that of the scene */
     double change;          /* of the force from the least range to the true one, / (pi w R) */
     po_range_loops loops;   /* if they are wanted */
+    po_range_stairs stairs; /* if they are wanted */
   } range;
   po_special_point *folds; /* along the branch */
   size_t fold_count;

@@ -259,6 +259,14 @@ static const po_row RANGE_LOOPS[] = {
 };
 static const po_block RANGE_LOOPS_ROWS = BLOCK("range_loops", RANGE_LOOPS, NULL);
 #undef S
+#define S po_range_stairs
+static const po_row RANGE_STAIRS[] = {
+  NUMBER("least", least, NONE, "", "", "the least range, relative to that of the scene"),
+  NUMBER("greatest", greatest, NONE, "", "", "the greatest of the six ranges from which the limits follow"),
+  COUNT("left_out", left_out, "number of steps of light preloads at given approach that are left out, because not all ranges have them"),
+};
+static const po_block RANGE_STAIRS_ROWS = BLOCK("range_stairs", RANGE_STAIRS, NULL);
+#undef S
 #define S po_result
 
 static const po_row RANGE[] = {
@@ -268,6 +276,8 @@ static const po_row RANGE[] = {
   {.key = "loops", .type = PO_ROW_PART, .block = &RANGE_LOOPS_ROWS, .omitted = true, .offset = offsetof(S, range.loops),
    .present = AT(bool, range.loops.are_known),
    TEXTS("", "absent without loops", "the ranges of the loops; numbers at their jumps of loading change with powers of the range as low as 4/7")},
+  {.key = "stairs", .type = PO_ROW_PART, .block = &RANGE_STAIRS_ROWS, .omitted = true, .offset = offsetof(S, range.stairs),
+   .present = AT(bool, range.stairs.are_known), TEXTS("", "absent without staircases", "the ranges of the staircases")},
 };
 static const po_block RANGE_ROWS = BLOCK("range", RANGE, NULL);
 

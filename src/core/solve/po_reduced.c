@@ -34,6 +34,9 @@ static const double OF_TOLERANCE = 0.03;
 /* Part of the tolerance at which the extrapolated force is accurate enough. */
 static const double ENOUGH = 0.5;
 
+/* Results that need traces of their own. */
+enum { OF_TESTS = PO_WANT_HYSTERESIS | PO_WANT_PRELOAD };
+
 /* Ranges between two traces; how many traces in a row may fail; and the most ranges of limits. */
 enum { APART = 2, FAILURES = 4, MOST_TRACED = 24 };
 
@@ -47,8 +50,8 @@ bool po_reduced_applies(const po_request *request) {
   return request->creep.kind == PO_CREEP_NONE && request->mesh.scheme == PO_PANEL &&
          !po_rigid_suffices(scene) && po_profile_is_sphere(&scene->profile) &&
          po_law_numbers_of(&scene->law)->exponent == 3.0 &&
-         !(request->want & ~(unsigned)(PO_WANT_THEORIES | PO_WANT_HYSTERESIS)) &&
-         (isnan(request->stiffness) || request->want & PO_WANT_HYSTERESIS) &&
+         !(request->want & ~(unsigned)(PO_WANT_THEORIES | OF_TESTS)) &&
+         (isnan(request->stiffness) || request->want & OF_TESTS) &&
          isnan(request->approach_start) && isnan(request->profile_approach) && !request->show &&
          po_reduced_width(scene) < PO_REDUCED_MOST_WIDTH;
 }
@@ -56,11 +59,11 @@ bool po_reduced_applies(const po_request *request) {
 bool po_reduced_is_chosen(const po_request *request) {
   const double chosen =
       po_scene_is_wavy(&request->scene) ? CHOSEN * sqrt(request->mesh.tolerance) : CHOSEN_SMOOTH;
-  const bool loops = request->want & PO_WANT_HYSTERESIS;
+  const bool tests = request->want & OF_TESTS;
   return po_reduced_applies(request) &&
          (request->range == PO_RANGE_REDUCED ||
           (request->range == PO_RANGE_AUTO &&
-           po_reduced_width(&request->scene) < (loops ? fmin(chosen, NARROWEST) : chosen)));
+           po_reduced_width(&request->scene) < (tests ? fmin(chosen, NARROWEST) : chosen)));
 }
 
 bool po_reduced_is_resort(const po_request *request, po_status status) {
@@ -89,7 +92,7 @@ po_request po_reduced_request(const po_request *request, double s) {
   r.approach_end /= s;
   r.stiffness *= s;
   r.range = PO_RANGE_EXACT;
-  r.want &= ~(unsigned)PO_WANT_HYSTERESIS;
+  r.want &= ~(unsigned)OF_TESTS;
   r.mesh.tolerance = po_reduced_tolerance(request);
   return r;
 }
@@ -535,6 +538,8 @@ po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, 
                      "leads to the pull-off: expected the range exact",
                      s->ranges.range[s->ranges.count - 1], s->ranges.range[0]);
   result->work = s->work;
+  if (!status && request->want & PO_WANT_PRELOAD)
+    status = po_reduced_staircases(&s->ranges, solve, result);
   if (!status && request->want & PO_WANT_HYSTERESIS)
     status = s->is_reversed_before ? without_loops() : po_reduced_loops(&s->ranges, solve, result);
   clear_trace(&s->before);

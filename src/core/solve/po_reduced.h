@@ -1,6 +1,6 @@
 /* A solve with a greater range of the attraction, for contact edges that are very narrow: the same
  * bodies, work of adhesion and preload with several greater equilibrium distances, and the limit of
- * their pull-off force, and of their loops, at the true one (doc/method.md, "A greater range").
+ * their pull-off force, loops and staircases at the true one (doc/method.md, "A greater range").
  *
  * The width of a contact edge is about eps/c, c the coupling. Where the waves, and the contact, are
  * much wider, the range enters results only through a small correction: with a range s times as
@@ -20,8 +20,8 @@ double po_reduced_width(const po_scene *scene);
 extern const double PO_REDUCED_MOST_WIDTH;
 
 /* Returned: whether the pull-off of a request can be found so: its contact edges are narrow, and it
- * is a sphere under a law that falls with the third power, and nothing but the pull-off, the loops
- * and the theories are wanted. */
+ * is a sphere under a law that falls with the third power, and nothing but the pull-off, the loops,
+ * the staircases and the theories are wanted. */
 bool po_reduced_applies(const po_request *request);
 
 /* Returned: whether it is found so in place of a solve with the true range. */

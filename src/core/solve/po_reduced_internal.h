@@ -3,6 +3,8 @@
 #ifndef PO_REDUCED_INTERNAL_H
 #define PO_REDUCED_INTERNAL_H
 
+#include <stddef.h>
+
 #include "po_estimate.h"
 #include "po_reduced.h"
 
@@ -119,12 +121,59 @@ po_status po_range_limit_take(const po_ranges *ranges, const po_range_points *po
 int po_range_side_of(const po_ranges *ranges, int first, int last, const double value[],
                      double bound);
 
-/* -- Loops at the true range (po_reduced_loops.c) -- */
+/* The same struct of the results with the last ranges, in units of the true range. */
+typedef struct {
+  const po_request *request;
+  const char *at[PO_RANGES_OF_LIMIT];
+} po_range_group;
 
-/* Solves for the loops with ranges each half of the one before until the error of the energy lost
- * at given approach is within the tolerance, or no smaller range is solved, and adds the loops to a
- * result, and the work. Given: the ranges; a result with the pull-off. Status: PO_NOT_CONVERGED if
- * the last six do not have the same jumps. */
+/* The limit of a double of these structs at an offset. Given: the offset of its error; NO_ERROR: it
+ * is of the order of the tolerance. Returned: also *bound. A number that is not finite at all
+ * ranges is that of the last one, with the bound 0. */
+enum { PO_RANGE_NO_ERROR = 0 };
+double po_range_limit_of_number(const po_range_group *g, const po_range_limit *limit, size_t offset,
+                                size_t error_offset, double *bound);
+
+/* The limit of a po_path_state of these structs at an offset, and in *error bounds of the errors of
+ * approach and load, *energy that of its energy. */
+po_path_state po_range_limit_of_state(const po_range_group *g, const po_range_limit *limit,
+                                      size_t offset, po_path_error *error, double *energy);
+
+/* -- Several solves for what a trace leads to (po_reduced_solves.c) -- */
+
+/* The last solves, each range half of the one before, in units of the true range; and the limits
+ * by them. */
+typedef struct {
+  const po_request *request;
+  double range[PO_RANGES_OF_LIMIT];
+  po_result solved[PO_RANGES_OF_LIMIT];
+  int count;
+  po_range_limit edges, crests;
+} po_range_solves;
+
+/* Given: PO_RANGES_OF_LIMIT solves and their limits. Returned: whether what is wanted is known;
+ * *excess: its greatest error over the tolerance times the number; INFINITY: another range is
+ * needed whatever the error is. */
+typedef bool po_range_judge(const po_range_solves *s, double *excess);
+
+/* Solves with smaller and smaller ranges for one of the additional results, PO_WANT_*, until it is
+ * known with a small error, or no smaller range is solved; adds the work. Returned: *known. The
+ * solves have to be cleared. */
+po_status po_range_solves_make(const po_ranges *ranges, unsigned want, po_range_judge *judge,
+                               po_reduced_solver *solve, po_range_solves *s, po_work *work,
+                               bool *known);
+void po_range_solves_clear(po_range_solves *s);
+
+/* Solves for the loops, until the error of the energy lost at given approach is within the
+ * tolerance, and adds them to a result, and the work. Given: the ranges; a result with the
+ * pull-off. Status: PO_NOT_CONVERGED if the last six do not have the same jumps
+ * (po_reduced_loops.c). */
 po_status po_reduced_loops(const po_ranges *ranges, po_reduced_solver *solve, po_result *result);
+
+/* The same for the staircases, of which the steps of the hardest preloads are stated, as many as
+ * all ranges have. Status: PO_NOT_CONVERGED if they do not have the same last step
+ * (po_reduced_staircases.c). */
+po_status po_reduced_staircases(const po_ranges *ranges, po_reduced_solver *solve,
+                                po_result *result);
 
 #endif

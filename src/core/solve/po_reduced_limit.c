@@ -83,6 +83,35 @@ double po_range_limit_at(const po_range_limit *l, const double value[SOLVES],
   return sum;
 }
 
+double po_range_limit_of_number(const po_range_group *g, const po_range_limit *limit, size_t offset,
+                                size_t error_offset, double *bound) {
+  double value[SOLVES], error[SOLVES];
+  bool finite = true;
+  for (int k = 0; k < SOLVES; ++k) {
+    value[k] = *(const double *)(const void *)(g->at[k] + offset);
+    error[k] = error_offset ? *(const double *)(const void *)(g->at[k] + error_offset)
+                            : po_reduced_tolerance(g->request) * fabs(value[k]);
+    finite &= isfinite(value[k]);
+  }
+  *bound = 0.0;
+  return finite ? po_range_limit_at(limit, value, error, bound) : value[SOLVES - 1];
+}
+
+po_path_state po_range_limit_of_state(const po_range_group *g, const po_range_limit *limit,
+                                      size_t offset, po_path_error *error, double *energy) {
+  const po_path_state last = *(const po_path_state *)(const void *)(g->at[SOLVES - 1] + offset);
+  double ignored;
+#define LIMIT(name, bound)                                                                         \
+  po_range_limit_of_number(g, limit, offset + offsetof(po_path_state, name), PO_RANGE_NO_ERROR,    \
+                           bound)
+  return (po_path_state){.approach = LIMIT(approach, &error->approach),
+                         .load = LIMIT(load, &error->load),
+                         .energy = LIMIT(energy, energy),
+                         .contact_radius = LIMIT(contact_radius, &ignored),
+                         .position = last.position};
+#undef LIMIT
+}
+
 /* -- Where loading jumps -- */
 
 /* The value may change by up to this multiple of what the power leaves; and the number of halvings

@@ -213,11 +213,10 @@ static po_status range_check(const po_request *request) {
     return PO_OK;
   return po_fail(
       PO_BAD_INPUT,
-      "range is reduced: expected auto or exact. It applies to the pull-off and the loops "
-      "of elastic spheres on panels under an attraction with the exponent 3, without an "
-      "approach_start or a want other than hysteresis and theories, with a spring only for "
-      "hysteresis, and if "
-      "contact edges are narrower than %.2g of the shortest wave and of the contact; "
+      "range is reduced: expected auto or exact. It applies to the pull-off, the loops and the "
+      "staircases of elastic spheres on panels under an attraction with the exponent 3, without "
+      "an approach_start or a want other than hysteresis, preload and theories, with a spring "
+      "only for hysteresis or preload, and if contact edges are narrower than %.2g of the shortest wave and of the contact; "
       "here they have %.2g",
       PO_REDUCED_MOST_WIDTH, po_reduced_width(&request->scene));
 }
@@ -242,7 +241,8 @@ static po_status attempt_true(const po_request *request, bool may_resort, po_kep
                               po_result *result, bool *is_reduced) {
   *is_reduced = false;
   po_work work = result->work;
-  po_status status = attempt(request, may_resort ? LONG_TRACE : 0, kept, result), again;
+  const bool is_long = request->want & PO_WANT_PRELOAD; /* a staircase is, whatever its edges are */
+  po_status status = attempt(request, may_resort && !is_long ? LONG_TRACE : 0, kept, result), again;
   po_work_add(&work, &result->work);
   if (!may_resort || !po_reduced_is_resort(request, status))
     return status;

@@ -104,7 +104,8 @@ static po_end_cause search_ends(const po_stopping *s) {
   if (po_request_search(s->request) == PO_SEARCH_SOME &&
       s->effort > EFFORT * s->before + EFFORT_AT_LEAST)
     return PO_END_SEARCHED;
-  return s->greatest_load > HARDEST ? PO_END_SEARCHED : PO_END_NONE;
+  const double hardest = s->request->hardest > 0.0 ? s->request->hardest : HARDEST;
+  return s->greatest_load > hardest ? PO_END_SEARCHED : PO_END_NONE;
 }
 
 po_end_cause po_stopping_cause(const po_stopping *s, const po_branch_point *p) {
