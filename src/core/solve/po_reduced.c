@@ -3,104 +3,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_initial_gap.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
 #include "po_reduced_internal.h"
-#include "po_rigid.h"
 
-/* Width of an edge, as po_reduced_width, with the greatest and the least range that is solved. Half
- * the width changes the force by about as much of it; at the least one the extrapolated force of
- * all scenes tried was right to 1e-8. */
-#define WIDEST 4e-2
-static const double NARROWEST = 1e-6;
-
-/* The widths of the first and the last of the ranges of a limit differ by a factor of 32. */
-const double PO_REDUCED_MOST_WIDTH = WIDEST / 32.0;
-
-/* Below this width a scene is solved so without being asked, over the square root of the tolerance:
- * the least range that is solved is then at least three times the true one. A smooth sphere of
- * a greater width than CHOSEN_SMOOTH, a Tabor parameter below 14,000, is solved in some two seconds
- * with the true range, which gives all special points. */
-static const double CHOSEN = 6e-3, CHOSEN_SMOOTH = 5e-9;
-
-/* The range decreases by this factor from solve to solve. */
-static const double STEP = M_SQRT2;
-
-/* The tolerance of the solves relative to that of the request: the extrapolation multiplies their
- * errors by up to 28. */
-static const double OF_TOLERANCE = 0.03;
-
-/* Part of the tolerance at which the extrapolated force is accurate enough. */
-static const double ENOUGH = 0.5;
-
-/* Results that need traces of their own. */
-enum { OF_TESTS = PO_WANT_HYSTERESIS | PO_WANT_PRELOAD };
-
-/* Ranges between two traces; how many traces in a row may fail; and the most ranges of limits. */
-enum { APART = 2, FAILURES = 4, MOST_TRACED = 24 };
-
-double po_reduced_width(const po_scene *scene) {
-  const double length = po_scene_is_wavy(scene) ? po_initial_gap_detail(scene) : INFINITY;
-  return 1.0 / (po_scene_coupling(scene) * fmin(length, po_scene_gamma(scene)));
-}
-
-bool po_reduced_applies(const po_request *request) {
-  const po_scene *scene = &request->scene;
-  return request->creep.kind == PO_CREEP_NONE && request->mesh.scheme == PO_PANEL &&
-         !po_rigid_suffices(scene) && po_profile_is_sphere(&scene->profile) &&
-         po_law_numbers_of(&scene->law)->exponent == 3.0 &&
-         !(request->want & ~(unsigned)(PO_WANT_THEORIES | OF_TESTS)) &&
-         (isnan(request->stiffness) || request->want & OF_TESTS) &&
-         isnan(request->approach_start) && isnan(request->profile_approach) && !request->show &&
-         po_reduced_width(scene) < PO_REDUCED_MOST_WIDTH;
-}
-
-bool po_reduced_is_chosen(const po_request *request) {
-  const double chosen =
-      po_scene_is_wavy(&request->scene) ? CHOSEN * sqrt(request->mesh.tolerance) : CHOSEN_SMOOTH;
-  const bool tests = request->want & OF_TESTS;
-  return po_reduced_applies(request) &&
-         (request->range == PO_RANGE_REDUCED ||
-          (request->range == PO_RANGE_AUTO &&
-           po_reduced_width(&request->scene) < (tests ? fmin(chosen, NARROWEST) : chosen)));
-}
-
-bool po_reduced_is_resort(const po_request *request, po_status status) {
-  const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_OUT_OF_NODES ||
-                     status == PO_NOT_CONVERGED || status == PO_TOO_MANY_POINTS;
-  return stuck && po_reduced_applies(request);
-}
-
-double po_reduced_tolerance(const po_request *request) {
-  return fmax(OF_TOLERANCE * request->mesh.tolerance, PO_LEAST_TOLERANCE);
-}
-
-po_request po_reduced_request(const po_request *request, double s) {
-  po_request r = *request;
-  r.scene.length_unit = po_scene_length_unit(&request->scene) * s;
-  r.scene.tabor /= s;
-  r.scene.radius /= s;
-  r.scene.outer_radius /= s;
-  r.scene.amplitude /= s;
-  r.scene.wavelength /= s;
-  for (size_t k = 0; k < r.scene.more_waves; ++k) {
-    r.scene.more[k].amplitude /= s;
-    r.scene.more[k].length /= s;
-  }
-  r.preload.approach /= s;
-  r.approach_end /= s;
-  r.stiffness *= s;
-  r.range = PO_RANGE_EXACT;
-  r.want &= ~(unsigned)OF_TESTS;
-  r.mesh.tolerance = po_reduced_tolerance(request);
-  return r;
-}
-
-po_request po_reduced_narrowest(const po_request *request) {
-  const double s = sqrt(NARROWEST / po_reduced_width(&request->scene));
-  return po_reduced_request(request, fmax(1.0, s));
-}
+/* Ranges between two traces, and how many traces in a row may fail. */
+enum { APART = 2, FAILURES = 4 };
 
 /* -- Traces -- */
 
@@ -244,7 +152,7 @@ static bool is_kept_by(const po_request *request, const po_range_trace *t,
   const po_kept_point *kept = minimum_of(t, p->approach);
   if (!kept)
     return false;
-  const double tolerance = (PO_SAME_LOAD * OF_TOLERANCE + 1.0) * request->mesh.tolerance;
+  const double tolerance = PO_SAME_LOAD * po_reduced_tolerance(request) + request->mesh.tolerance;
   return fabs(kept->load - p->load) <= tolerance * fabs(kept->load) + p->load_error &&
          fabs(kept->approach - p->approach) <= PO_SAME_APPROACH * (1.0 + fabs(p->approach));
 }
@@ -376,7 +284,7 @@ static po_status find_whether_exceeds(search *s, const po_range_follower *f, con
 static po_status follow_rival(search *s, const po_range_follower *f, const po_kept_point *p,
                               bool *is_traced) {
   const int first = s->rival.first, last = first + PO_RANGES_OF_LIMIT - 1;
-  const po_status status = follow_point(f, p, first, last, ENOUGH, &s->rival);
+  const po_status status = follow_point(f, p, first, last, PO_RANGE_ENOUGH, &s->rival);
   double bound, other;
   const double force = force_of(&s->ranges, &s->rival, &bound);
   if (status || isinf(bound))
@@ -433,7 +341,7 @@ static po_status follow_minimum(search *s, const po_range_follower *f, const po_
                                 po_result *result) {
   const int last = s->before.at + PO_RANGES_OF_LIMIT - 1;
   bool is_traced = !jump;
-  po_status status = follow_point(f, s->minimum, s->before.at, last, ENOUGH, &s->pull_off);
+  po_status status = follow_point(f, s->minimum, s->before.at, last, PO_RANGE_ENOUGH, &s->pull_off);
   if (po_reduced_ends(status) || isinf(excess_of(&s->ranges, &s->pull_off)))
     return status ? status : PO_NOT_CONVERGED;
   if (!is_traced && !is_kept_by(s->ranges.request, &s->before, &s->pull_off))
@@ -507,25 +415,12 @@ static po_status go_on(search *s, po_reduced_solver *solve, int *failures, po_re
   return status;
 }
 
-static po_ranges ranges_of(const po_request *request) {
-  const double width = po_reduced_width(&request->scene);
-  po_ranges r = {.request = request};
-  for (double range = sqrt(WIDEST / width); range > 1.0 && r.all < PO_MOST_RANGES - 1;
-       range /= STEP) {
-    r.count += width * range * range > NARROWEST && r.count < MOST_TRACED;
-    r.range[r.all++] = range;
-  }
-  if (r.all < PO_MOST_RANGES - 1)
-    r.range[r.all++] = 1.0;
-  return r;
-}
-
 po_status po_reduced_solve(const po_request *request, po_reduced_solver *solve, po_result *result) {
   search *s = po_allocate(1, sizeof *s);
   *result = po_result_none();
   if (!s)
     return PO_NO_MEMORY;
-  s->ranges = ranges_of(request);
+  s->ranges = po_ranges_of(request);
   s->before = s->now = no_trace();
   po_status status = PO_OK;
   int failures = 0;

@@ -18,6 +18,11 @@ typedef struct {
   int all;   /* of those to which a jump of loading is followed */
 } po_ranges;
 
+/* Part of the tolerance at which an extrapolated number is accurate enough. */
+static const double PO_RANGE_ENOUGH = 0.5;
+
+po_ranges po_ranges_of(const po_request *request);
+
 /* The request with one of the ranges: every length in units of eps is so much smaller, and so is
  * the Tabor parameter; loads in pi w R are the same. */
 po_request po_reduced_request(const po_request *request, double range);

@@ -206,8 +206,8 @@ static po_status take_loops(po_range_solves *l, po_result *o) {
 po_status po_reduced_loops(const po_ranges *ranges, po_reduced_solver *solve, po_result *result) {
   po_range_solves l;
   bool known;
-  po_status status = po_range_solves_make(ranges, PO_WANT_HYSTERESIS, judge, solve, &l,
-                                          &result->work, &known);
+  po_status status =
+      po_range_solves_make(ranges, PO_WANT_HYSTERESIS, judge, solve, &l, &result->work, &known);
   if (!status && known)
     status = take_loops(&l, result);
   else if (!status)

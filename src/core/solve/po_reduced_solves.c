@@ -11,9 +11,6 @@ enum { SOLVES = PO_RANGES_OF_LIMIT, STRIDE = 2, MOST = 9 };
  * six times, and that to a hundred times takes five times as long. */
 static const double HARDER = 10.0;
 
-/* Part of the tolerance at which the wanted numbers are accurate enough. */
-static const double ENOUGH = 0.5;
-
 void po_range_solves_clear(po_range_solves *s) {
   for (int k = 0; k < s->count; ++k)
     po_result_clear(&s->solved[k]);
@@ -65,7 +62,8 @@ po_status po_range_solves_make(const po_ranges *ranges, unsigned want, po_range_
   po_status status = PO_OK;
   double excess = INFINITY;
   *known = false;
-  for (int at = 0, made = 0; at < ranges->count && made < MOST && !status && excess > ENOUGH;
+  for (int at = 0, made = 0;
+       at < ranges->count && made < MOST && !status && excess > PO_RANGE_ENOUGH;
        at += STRIDE, ++made) {
     status = add_range(s, ranges->range[at], want, solve, work);
     const bool fails = status && !po_reduced_ends(status);

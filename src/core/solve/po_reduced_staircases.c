@@ -66,9 +66,8 @@ static void begin_behind(const bundle *b, size_t end[SOLVES]) {
 /* The error of the pull-off force of a step over the tolerance times the force. */
 static double excess_of(const bundle *b, const po_range_group *g) {
   double bound;
-  const double load =
-      po_range_limit_of_number(g, &b->of->edges, offsetof(po_step, pull_off.load),
-                               offsetof(po_step, pull_off_error.load), &bound);
+  const double load = po_range_limit_of_number(g, &b->of->edges, offsetof(po_step, pull_off.load),
+                                               offsetof(po_step, pull_off_error.load), &bound);
   return bound / (b->of->request->mesh.tolerance * fabs(load));
 }
 
@@ -101,8 +100,8 @@ static bool begins_alike(const po_range_group *g) {
   return same;
 }
 
-/* Whether the tests that are reversed just beyond the beginning of a step, or of a cycle of it, have
- * as many jumps at all ranges. Given: the step of the last range. */
+/* Whether the tests that are reversed just beyond the beginning of a step, or of a cycle of it,
+ * have as many jumps at all ranges. Given: the step of the last range. */
 static bool jumps_alike(const po_range_group *g, const po_step *step, size_t cycle) {
   bool same = begins_alike(g);
   for (int k = 0; k < SOLVES; ++k) {
@@ -128,7 +127,8 @@ static bool judge(const po_range_solves *s, double *excess) {
     po_range_group last;
     begin_behind(&b, end);
     step_before(&b, end, &last);
-    *excess = jumps_alike(&last, step_at(&last, SOLVES - 1), 0) ? fmax(*excess, greatest) : INFINITY;
+    *excess =
+        jumps_alike(&last, step_at(&last, SOLVES - 1), 0) ? fmax(*excess, greatest) : INFINITY;
   }
   return true;
 }
@@ -150,11 +150,10 @@ static void take_cycles(const bundle *b, const po_range_group *of_step, po_step 
     po_cycle to = *cycle;
     po_path_error error;
     double energy;
-    to.preload = po_range_limit_of_state(&g, &b->of->crests, offsetof(po_cycle, preload), &error,
-                                         &energy);
-    to.loss.energy =
-        po_range_limit_of_number(&g, &b->of->crests, offsetof(po_cycle, loss.energy),
-                                 offsetof(po_cycle, energy_error), &to.energy_error);
+    to.preload =
+        po_range_limit_of_state(&g, &b->of->crests, offsetof(po_cycle, preload), &error, &energy);
+    to.loss.energy = po_range_limit_of_number(&g, &b->of->crests, offsetof(po_cycle, loss.energy),
+                                              offsetof(po_cycle, energy_error), &to.energy_error);
     *cycle = to;
   }
 }
@@ -276,8 +275,8 @@ po_status po_reduced_staircases(const po_ranges *ranges, po_reduced_solver *solv
                                 po_result *result) {
   po_range_solves s;
   bool known;
-  po_status status = po_range_solves_make(ranges, PO_WANT_PRELOAD, judge, solve, &s, &result->work,
-                                          &known);
+  po_status status =
+      po_range_solves_make(ranges, PO_WANT_PRELOAD, judge, solve, &s, &result->work, &known);
   if (!status && known)
     status = take_staircases(&s, result);
   else if (!status)
