@@ -11,7 +11,7 @@ A command with its output is a fenced block:
     ```
 
 A file that a page shows is written before the commands below it: ```python file=my/solver.py. The files of doc/examples are in the
-folder `examples`; a block ```python part=examples/FILE is a part of such a file.
+folder `examples`.
 
 `$ build/src/cli/pulloff` means the same, `$ python3 FILE` runs a file of the page with the Python module, and a backslash at
 the end of a line continues the command. A line `...` stands for any number of lines of output. Output has to be the same to the last digit, on every machine, except:
@@ -40,7 +40,7 @@ import subprocess
 import sys
 import tempfile
 
-BLOCK = re.compile(r"^```(console|\w+ (?:file|part)=(\S+))\n(.*?)^```$", re.M | re.S)
+BLOCK = re.compile(r"^```(console|\w+ file=(\S+))\n(.*?)^```$", re.M | re.S)
 SHOWN_FOLDER = "/home/me"
 COMMAND = re.compile(r"((?:build/src/cli/)?pulloff|python3) (.*)")
 PYTHON = "/usr/bin/python3"  # which has NumPy
@@ -156,9 +156,6 @@ class Tests:
         if kind == "console":
             return self.block(name, text)
         path = pathlib.Path(self.folder, file)
-        if " part=" in kind:
-            self.tell(f"{name}: {file}", None if text in path.read_text() else "the file has no such part")
-            return text
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
         return text
