@@ -9,7 +9,7 @@ SKIPPED = {"schema", "digest", "reason", "seconds", "condition", "bordered_condi
 def lines(value, path=""):
     if isinstance(value, dict):
         for key in sorted(value, key=str.encode):
-            if key not in SKIPPED and not (key in ("input", "work", "physical", "interpolation", "assumes") and isinstance(value[key], dict)):
+            if key not in SKIPPED and not (key in ("input", "work", "physical", "interpolation", "assumes", "parabola") and isinstance(value[key], dict)):
                 yield from lines(value[key], f"{path}/{key}")
     elif isinstance(value, list):
         for place, item in enumerate(value):

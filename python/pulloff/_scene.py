@@ -149,7 +149,9 @@ class Scene(MutableMapping[str, Any]):
         """Solves the scene, with further keys, and compares its pull-off force with every theory. Returns {name: row} in
         the order of `pulloff compare`; a row is a dictionary as in the JSON document: force (pi w R; None: not evaluated,
         for the `reason`), deviation (relative), deviation_error_estimate, assumptions ("yes", "no", "unknown"),
-        decided_by, number, side, limit, source."""
+        decided_by, number, side, limit, source. Theories that hold for the parabola, but not for a sphere of this radius,
+        because the contact is wide, have the key parabola: contact_radius_over_radius, its limit, and exact_sphere, R of the
+        profile that is the sphere."""
         want = values.get("want")
         if want is not None:
             raise refuse("want", want, "it to be left out of a comparison")
@@ -157,8 +159,12 @@ class Scene(MutableMapping[str, Any]):
             if "+-" in text and key != "profile_file":
                 raise refuse(key, text, "a number without uncertainty, which only solve takes")
         values["want"] = "theories"
-        rows = self.solve(**values).document["theories"]
-        return {row.pop("theory"): row for row in rows}
+        document = self.solve(**values).document
+        rows = {row.pop("theory"): row for row in document["theories"]}
+        wide = document.get("parabola", {"theories": []})
+        for held in wide.pop("theories"):
+            rows[held["theory"]]["parabola"] = dict(wide)
+        return rows
 
 
 def _literal(text: str) -> str:

@@ -76,12 +76,13 @@ static po_status check_row(const po_result *result, const po_theory *only) {
                                   : PO_OK;
 }
 
-/* Leaves only the row of a theory, if one was named. */
-static void keep_theory(po_result *result, const po_theory *only) {
+/* Leaves only the row of a theory, if one was named. Status: PO_NO_MEMORY. */
+static po_status keep_theory(const po_request *request, po_result *result, const po_theory *only) {
   if (!only || !row_of(result, *only))
-    return;
+    return PO_OK;
   result->theories[0] = *row_of(result, *only);
   result->theory_count = 1;
+  return po_request_find_parabola(request, result);
 }
 
 /* A number with its unit, or - if there is none. */
@@ -136,19 +137,19 @@ static void print_held(const po_result *result, po_holds holds, const char *what
 /* Says that theories hold of the parabola alone, and the number that decides it. A theory of the
  * parabola is exact for the body that was solved; that this body is a sphere is an assumption of
  * the user. */
-static void print_note(const po_request *request, double ratio) {
-  const double R = request->scene.radius * (request->in_si ? request->units.length : 1.0);
+static void print_note(const po_request *request, const po_result *result) {
+  const double R = result->parabola.sphere * (request->in_si ? request->units.length : 1.0);
   printf("%-26s they hold for the parabola r^2/(2R), which was solved, not for a sphere of this R: "
          "contact radius over R %.3g, expected at most %g; --profile exact_sphere:%.6g is the "
          "sphere\n",
-         "(1)", ratio, PO_PRINT_WIDE_CONTACT, R);
+         "(1)", result->parabola.wide, result->parabola.limit, R);
 }
 
 /* Prints the table of the theories and their sources, with a column in N for a scene in SI units.
  */
 static void print_theories(const po_request *request, const po_result *result) {
   const po_units *units = request->in_si ? &request->units : NULL;
-  const double ratio = po_print_wide_contact(request, result);
+  const bool is_wide = result->parabola.theory_count > 0;
   double greatest = 0;
   for (size_t k = 0; k < result->theory_count; ++k)
     po_si_take(&greatest, result->theories[k].force);
@@ -160,10 +161,10 @@ static void print_theories(const po_request *request, const po_result *result) {
   printf("%-26s %12s %s%11s %9s %-7s %s\n", "theory", "force", head, "deviation", "error", "holds",
          "decided by");
   for (size_t k = 0; k < result->theory_count; ++k)
-    print_row(&result->theories[k], units ? &unit : NULL, ratio > 0.0);
-  print_held(result, PO_HOLDS_YES, ratio > 0.0 ? "assumptions hold (1)" : "assumptions hold");
-  if (ratio > 0.0 && count_held(result, PO_HOLDS_YES))
-    print_note(request, ratio);
+    print_row(&result->theories[k], units ? &unit : NULL, is_wide);
+  print_held(result, PO_HOLDS_YES, is_wide ? "assumptions hold (1)" : "assumptions hold");
+  if (is_wide)
+    print_note(request, result);
   print_held(result, PO_HOLDS_UNKNOWN, "only a solve decides");
   printf("%-26s %s\n", "theory", "source");
   for (size_t k = 0; k < result->theory_count; ++k)
@@ -185,10 +186,10 @@ static int compare_line(po_solve_line *line, const po_theory *only) {
   line->request.want |= PO_WANT_THEORIES;
   const po_status solved = po_solve_line_solve(line, &result);
   po_status status = solved ? PO_OK : check_row(&result, only);
-  if (!status) {
-    keep_theory(&result, only);
+  if (!status)
+    status = keep_theory(&line->request, &result, only);
+  if (!status)
     status = print(line, &result);
-  }
   if (!status && !solved && line->plot)
     status = po_plot_show(po_plot_of_theories(&line->request, &result), line->plot);
   if (!status && solved)

@@ -224,3 +224,29 @@ def test_the_computed_force_in_si_units():
     lines = [line for line in expect(0, "", f"compare {words}").out.splitlines() if line.startswith(("pull-off", "errors"))]
     assert len(lines) == 4 and " nN at approach" in lines[2]
     assert lines == [line for line in expect(0, "", f"solve {words}").out.splitlines() if line.startswith(("pull-off", "errors"))]
+
+
+def test_a_wide_contact_in_the_document():
+    """The table said "yes (1)" and why; the document had only the yes."""
+    words = "--tabor 20 --tolerance 1e-3"
+    found = document(f"compare {words}")
+    note = found["parabola"]
+    assert note["contact_radius_over_radius"] == found["pull_off"]["contact_radius"] / 100 > note["limit"] == 0.3
+    held = [row["theory"] for row in found["theories"] if row["assumptions"] == "yes"]
+    assert [row["theory"] for row in note["theories"]] == held == ["jkr", *SMOOTH[3:7]]
+    assert [row["theory"] for row in document(f"compare {words} --theory jkr")["parabola"]["theories"]] == ["jkr"]
+    assert "parabola" not in document(f"compare {words} --theory dmt")  # its assumptions do not hold
+    sphere = f"--profile exact_sphere:{note['exact_sphere']:g} --radius 100"
+    for other in "--tabor 5 --radius 10000", f"{words} {sphere}":  # narrow; the profile that the note names
+        assert "parabola" not in document(f"compare {other}"), other
+    assert "parabola" not in document(f"solve {words}")  # without theories
+    # the note follows from the result: the digest does not have it
+    del found["parabola"]
+    path = ROOT / "doc/examples/digest.py"
+    space = {}
+    exec(compile(path.read_text(), path, "exec"), space)
+    assert space["digest"](found) == found["digest"]
+    tip = "--from-physical --modulus-pa 1.58e6 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 45e-9 --tolerance 1e-3"
+    in_m = document(f"compare {tip}")
+    assert in_m["parabola"]["exact_sphere"] == pytest.approx(150, rel=1e-12)
+    assert in_m["physical"]["parabola"]["exact_sphere_m"] == pytest.approx(45e-9, rel=1e-12)

@@ -233,6 +233,9 @@ static void same_theories(const po_result *a, const po_result *b) {
          WITHOUT(po_theory_row, holds), WITHOUT(po_theory_row, decided_by),
          WITHOUT(po_theory_row, at_least), WITHOUT(po_theory_row, reason));
   }
+  ck_assert_uint_eq(a->parabola.theory_count, b->parabola.theory_count);
+  for (size_t k = 0; k < a->parabola.theory_count; ++k)
+    ck_assert(a->parabola.theories[k].theory == b->parabola.theories[k].theory);
 }
 
 /* Given: a result of panels with everything wanted. */
@@ -256,7 +259,8 @@ static void same_result(const po_result *a, const po_result *b) {
        WITHOUT(po_result, rate), WITHOUT(po_result, has_hysteresis), WITHOUT(po_result, hysteresis),
        WITHOUT(po_result, has_staircases), WITHOUT(po_result, staircase),
        WITHOUT(po_result, theory), WITHOUT(po_result, theories), WITHOUT(po_result, diagnostics),
-       WITHOUT(po_result, interpolation), WITHOUT(po_result, seconds_beside));
+       WITHOUT(po_result, parabola.theories), WITHOUT(po_result, interpolation),
+       WITHOUT(po_result, seconds_beside));
   same_special_points(a->folds, b->folds, a->fold_count);
   same_special_points(a->extrema, b->extrema, a->extremum_count);
   for (size_t k = 0; k < a->annuli.held_count; ++k)

@@ -105,6 +105,12 @@ class SameNumbers(unittest.TestCase):
         shown = program("compare", "--tabor", "3", "--amplitude", "1", "--wavelength", "20", "--preload", "1")["theories"]
         self.assertEqual([{"theory": name, **row} for name, row in rows.items()], shown)
         self.assertEqual(pulloff.Scene().compare()["kesari-lew"]["reason"], "the surface has no waves")
+        self.assertFalse(any("parabola" in row for row in rows.values()))
+        wide = pulloff.Scene(tabor=20, tolerance=1e-3).compare()  # the contact radius is 0.68 R
+        self.assertEqual([name for name, row in wide.items() if "parabola" in row],
+                         [name for name, row in wide.items() if row["assumptions"] == "yes"])
+        self.assertEqual(wide["jkr"]["parabola"], {"contact_radius_over_radius": wide["maugis"]["parabola"]["contact_radius_over_radius"],
+                                                   "limit": 0.3, "exact_sphere": 100})
 
     def test_series(self):
         shown = program("follow", "--key", "tabor", "--from", "0.5", "--to", "2", "--points", "7", "--scale", "linear")

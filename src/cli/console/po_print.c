@@ -110,21 +110,10 @@ static void print_range(const po_result *o) {
            o->range.stairs.least, o->range.stairs.greatest, o->range.stairs.left_out);
 }
 
-/* Part of R. At this contact radius the gap of the sphere exceeds that of the parabola by 2 %, and
- * the pull-off force of the parabola by JKR theory that of the sphere by 4 %. */
-const double PO_PRINT_WIDE_CONTACT = 0.3;
-
-double po_print_wide_contact(const po_request *request, const po_result *o) {
-  const po_scene *scene = &request->scene;
-  const bool is_wide = po_profile_is_sphere(&scene->profile) && o->has_pull_off &&
-                       o->pull_off.contact_radius > PO_PRINT_WIDE_CONTACT * scene->radius;
-  return is_wide ? o->pull_off.contact_radius / scene->radius : 0.0;
-}
-
 /* A line if the contact at pull-off is too wide for a parabola in place of a sphere. */
 static void print_parabola(const po_request *request, const po_result *o) {
   const po_scene *scene = &request->scene;
-  const double ratio = po_print_wide_contact(request, o);
+  const double ratio = po_request_wide_contact(request, o);
   if (!request->theories || !(ratio > 0.0))
     return;
   printf("sphere   the contact radius is %.3g R, where the parabola r^2/(2R) is no sphere", ratio);

@@ -30,11 +30,6 @@ void po_print_solver(const po_solver *solver, FILE *stream);
 /* Prints the scene, the units, the status and the pull-off with its errors. */
 void po_print_summary(const po_request *request, const po_result *result);
 
-/* The contact radius at pull-off over R, if it exceeds PO_PRINT_WIDE_CONTACT, where the parabola
- * r^2/(2R) no longer stands for a sphere; otherwise, and of other profiles, 0. */
-double po_print_wide_contact(const po_request *request, const po_result *result);
-extern const double PO_PRINT_WIDE_CONTACT;
-
 /* Prints the result as text for the terminal. */
 po_status po_print_text(const po_request *request, const po_texts *given, const po_result *result);
 

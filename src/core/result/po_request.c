@@ -1,7 +1,11 @@
 #include "po_request.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "po_memory.h"
+#include "po_profile_kind.h"
 
 po_request po_request_default(void) {
   return (po_request){.scene = po_scene_default(),
@@ -177,4 +181,37 @@ po_status po_request_complete(po_request *request) {
 double po_request_bound(const po_request *request, double load) {
   const po_theories *theories = request->theories;
   return theories ? theories->bound(&request->scene, load) : (double)NAN;
+}
+
+/* Part of R. At this contact radius the gap of the sphere exceeds that of the parabola by 2 %, and
+ * the pull-off force of the parabola by JKR theory that of the sphere by 4 %. */
+const double PO_WIDE_CONTACT = 0.3;
+
+double po_request_wide_contact(const po_request *request, const po_result *result) {
+  const po_scene *scene = &request->scene;
+  const bool is_wide = po_profile_is_sphere(&scene->profile) && result->has_pull_off &&
+                       result->pull_off.contact_radius > PO_WIDE_CONTACT * scene->radius;
+  return is_wide ? result->pull_off.contact_radius / scene->radius : 0.0;
+}
+
+po_status po_request_find_parabola(const po_request *request, po_result *result) {
+  const double wide = po_request_wide_contact(request, result);
+  size_t count = 0;
+  for (size_t k = 0; k < result->theory_count; ++k)
+    count += isfinite(result->theories[k].force) && result->theories[k].holds == PO_HOLDS_YES;
+  free(result->parabola.theories);
+  result->parabola = po_result_none().parabola;
+  if (!(wide > 0.0) || count == 0)
+    return PO_OK;
+  po_parabola_theory *held = po_allocate(count, sizeof *held);
+  if (!held)
+    return PO_NO_MEMORY;
+  result->parabola.wide = wide;
+  result->parabola.limit = PO_WIDE_CONTACT;
+  result->parabola.sphere = request->scene.radius;
+  result->parabola.theories = held;
+  for (size_t k = 0; k < result->theory_count; ++k)
+    if (isfinite(result->theories[k].force) && result->theories[k].holds == PO_HOLDS_YES)
+      held[result->parabola.theory_count++].theory = result->theories[k].theory;
+  return PO_OK;
 }

@@ -160,6 +160,14 @@ po_status po_request_check(const po_request *request);
  * its steps in time. */
 double po_request_tolerance(const po_request *request);
 
+/* The contact radius at pull-off over R, if it exceeds PO_WIDE_CONTACT, where the parabola r^2/(2R)
+ * no longer stands for a sphere; otherwise, and of other profiles, 0. */
+double po_request_wide_contact(const po_request *request, const po_result *result);
+extern const double PO_WIDE_CONTACT;
+
+/* Finds `parabola` of a result from its theories. Status: PO_NO_MEMORY. */
+po_status po_request_find_parabola(const po_request *request, po_result *result);
+
 /* The bound of the theories for a load, pi w R; NAN: unknown. */
 double po_request_bound(const po_request *request, double load);
 

@@ -11,6 +11,7 @@ po_result po_result_none(void) {
       .ended = {.approach = NAN, .load = NAN},
       .profile_approach = NAN,
       .uncertainty = NAN,
+      .parabola = {.wide = NAN, .limit = NAN, .sphere = NAN},
       .pull_off = {.full_disc = NAN, .excess = NAN, .pressed = unknown, .until = unknown},
       .pull_off_any = {.pressed = unknown, .searched = unknown},
       .range = {.least = NAN,
@@ -42,6 +43,7 @@ void po_result_clear(po_result *result) {
   free(result->interpolation.weights);
   free(result->uncertain);
   free(result->theories);
+  free(result->parabola.theories);
   free(result->diagnostics.states);
   *result = po_result_none();
 }

@@ -214,6 +214,13 @@ typedef struct {
       uncertainty; /* of the force by all of them: the root of the sum of squares; NAN: unknown */
   po_theory_row *theories; /* one a theory; NULL unless wanted */
   size_t theory_count;
+  struct {         /* of a contact that is too wide for a parabola in place of a sphere */
+    double wide;   /* the contact radius at pull-off over R */
+    double limit;  /* of it */
+    double sphere; /* R of the profile exact_sphere, eps */
+    po_parabola_theory *theories; /* those that hold, for the parabola alone; NULL: none */
+    size_t theory_count;
+  } parabola;
   double seconds_beside; /* the part of the wall time for solves with changed inputs and for the
                             theories beside the solve; not in documents */
   po_diagnostics diagnostics; /* states is NULL unless wanted */

@@ -341,6 +341,15 @@ static const po_block RATE_ROWS = BLOCK("unloading", RATE, NULL);
 #undef S
 #define S po_result
 
+static const po_row PARABOLA[] = {
+  NUMBER("contact_radius_over_radius", parabola.wide, NONE, "", "", "contact radius at pull-off over R"),
+  NUMBER("limit", parabola.limit, NONE, "", "", "limit of it, up to which the parabola stands for a sphere"),
+  NUMBER("exact_sphere", parabola.sphere, LENGTH, "", "", "R of the profile `exact_sphere:R`, which is the sphere"),
+  LIST("theories", parabola.theories, parabola.theory_count, PO_PARABOLA_THEORY_ROWS, NULL, "",
+       "theories whose assumptions hold, for the parabola"),
+};
+static const po_block PARABOLA_ROWS = BLOCK("parabola", PARABOLA, NULL);
+
 static const po_row WANTED[] = {
   {.key = "range", .type = PO_ROW_PART, .block = &RANGE_ROWS, .omitted = true, .present = AT(bool, range.is_reduced),
    TEXTS("", "absent unless the pull-off was found with greater ranges of the attraction", "the ranges with which the scene was solved ([guide](guide.md#a-greater-range)); `folds` and `extrema` are then those of which the limit is known")},
@@ -362,6 +371,10 @@ static const po_row WANTED[] = {
   {.key = "theories", .type = PO_ROW_LIST, .block = &PO_THEORIES_ROWS, .omitted = true,
    .offset = offsetof(S, theories), .count = AT(size_t, theory_count),
    TEXTS("", UNWANTED, "what the theories say about the pull-off force, one row a theory")},
+  {.key = "parabola", .type = PO_ROW_PART, .block = &PARABOLA_ROWS, .omitted = true,
+   .count = AT(size_t, parabola.theory_count),
+   TEXTS("", "absent but for a wide contact of a parabola of which a theory holds",
+         "where theories hold for the parabola r²/(2R), which was solved, and not for a sphere of this R; it has no part in the digest")},
 };
 const po_block PO_RESULT_ROWS = BLOCK("result", RESULT, NULL);
 const po_block PO_WANTED_ROWS = BLOCK("result", WANTED, NULL);

@@ -10,9 +10,9 @@ extern const po_block PO_ALL_ROWS, PO_RESULT_ROWS, PO_WANTED_ROWS, PO_BRANCH_ROW
     PO_CONTACT_ROWS;
 
 /* Of the items of its lists; of the pull-off, a block of po_result; of a step of a staircase; of
- * the states of a loop; and of a theory. */
+ * the states of a loop; of a theory; and of one that holds for the parabola alone. */
 extern const po_block PO_CURVE_ROWS, PO_PROFILE_ROWS, PO_SPECIAL_POINT_ROWS, PO_PULL_OFF_ROWS,
-    PO_STEP_ROWS, PO_LOOP_ROW_ROWS, PO_THEORIES_ROWS, PO_UNCERTAIN_ROWS;
+    PO_STEP_ROWS, PO_LOOP_ROW_ROWS, PO_THEORIES_ROWS, PO_PARABOLA_THEORY_ROWS, PO_UNCERTAIN_ROWS;
 
 /* The label of a jump, or of one of its ends. Labels are numbered from 1: "1", "2", ... in loading;
  * "a", "b", ... "z", "aa", ... in unloading. */

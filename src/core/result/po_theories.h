@@ -72,6 +72,11 @@ typedef struct {
   char reason[256]; /* why it cannot be evaluated; "" */
 } po_theory_row;
 
+/* A theory of the parabola alone. */
+typedef struct {
+  po_theory theory;
+} po_parabola_theory;
+
 /* The name, "kesari-lew", the words, "Kesari-Lew", and the source of each theory; the words of each
  * number. */
 typedef struct {

@@ -42,3 +42,10 @@ static const po_row ROWS[] = {
 };
 const po_block PO_THEORIES_ROWS = BLOCK("theory_row", ROWS, NULL);
 #undef S
+
+#define S po_parabola_theory
+static const po_row OF_PARABOLA[] = {
+  WORD("theory", theory, NAMES, "name of a theory whose assumptions hold"),
+};
+const po_block PO_PARABOLA_THEORY_ROWS = BLOCK("parabola_theory", OF_PARABOLA, NULL);
+#undef S

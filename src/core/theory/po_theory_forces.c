@@ -250,7 +250,8 @@ static po_status theories(const po_request *request, po_result *result) {
   for (size_t k = 0; k < result->theory_count; ++k)
     if (isfinite(rows[k].force))
       po_assumptions_decide(number, &rows[k]);
-  return status;
+  const po_status noted = po_request_find_parabola(request, result);
+  return noted ? noted : status;
 }
 
 /* -- The theories -- */

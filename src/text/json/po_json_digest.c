@@ -14,7 +14,8 @@ static const char *const NO_RESULT[] = {"schema",
                                         "condition",
                                         "bordered_condition",
                                         "error_over_tolerance"};
-static const char *const NO_RESULTS[] = {"input", "work", "physical", "interpolation", "assumes"};
+static const char *const NO_RESULTS[] = {"input",         "work",    "physical",
+                                         "interpolation", "assumes", "parabola"};
 
 static bool is_one_of(const char *key, const char *const *names, size_t count) {
   for (size_t k = 0; k < count; ++k)
