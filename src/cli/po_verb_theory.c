@@ -23,6 +23,9 @@ static const char HELP[] =
     "  guduru              JKR theory of a wavy sphere (Eq 5)\n"
     "  kesari-lew          envelope of Eq 5 (Eq 24)\n"
     "  persson-tosatti     effective work of adhesion of a rough surface (Eqs 25-30)\n"
+    "  persson-brener      pull-off of a viscoelastic body at a speed: JKR theory with the work "
+    "of\n"
+    "                      adhesion of an edge that moves, and its slow and fast limits\n"
     "  rumpf-rabinowicz    rigid crest on a sphere (Eq 20)\n"
     "  compactness         whether the gap is monotonic (Eqs 3, 4)\n"
     "  crest               rigid central crest (Eqs 18, 19)\n"
@@ -55,6 +58,8 @@ static const char HELP[] =
     "Example: pulloff theory guduru --tabor 5 --amplitude 10 --wavelength 20 --radius 100 --json\n"
     "Example: pulloff theory guduru --tabor 5 --amplitude 2 --wavelength 20 --preload-load 1\n"
     "Example: pulloff theory jkr --tabor 3 --load 0\n"
+    "Example: pulloff theory persson-brener --tabor 3 --viscoelastic sls:0.1 --unload-speed 1 \\\n"
+    "             --preload 5\n"
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
@@ -283,14 +288,18 @@ static po_form_input input_of(const po_theory_line *l, const po_form *form) {
                          .held = held,
                          .value = held == PO_FORM_HOLDS_LOAD ? l->load : l->approach,
                          .has_preload = isfinite(preload.approach) || !isnan(preload.load),
-                         .preload = preload};
+                         .preload = preload,
+                         .creep = l->request.creep,
+                         .unload_speed = l->request.unload_speed};
 }
 
 static po_status print_form(const po_theory_line *l, const po_form *form) {
   const po_form_input input = input_of(l, form);
   po_form_values values = {.count = 0};
   form_curve curve = {NULL, 0};
-  po_status status = po_form_evaluate(form, &input, &values);
+  po_status status = po_texts_check_rate(&l->options.given, form, &input);
+  if (!status)
+    status = po_form_evaluate(form, &input, &values);
   if (!status && l->curve)
     status = po_form_curve(form, &input, &curve.points, &curve.count);
   if (!status && !(l->curve && strcmp(l->curve, "-") == 0))

@@ -153,8 +153,9 @@ static po_status check_form(const po_form *form, const po_texts *given,
     return po_fail(PO_BAD_INPUT, "alpha is %g: expected a finite number > 0", input->alpha);
   if ((form->needs & PO_NEEDS_ELASTIC) && !(input->scene.tabor > 0))
     return po_fail(PO_BAD_INPUT, "tabor is 0: expected a finite number > 0");
-  if (isnan(input->at))
-    return PO_OK;
+  const po_status status = po_texts_check_rate(given, form, input);
+  if (status || isnan(input->at))
+    return status;
   const double at = input->at;
   const struct {
     bool is_inside;
@@ -202,6 +203,8 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
   po_form_input input = {request.scene, alpha, key < 0 ? at : (double)NAN};
   input.has_preload = isfinite(request.preload.approach) || !isnan(request.preload.load);
   input.preload = request.preload;
+  input.creep = request.creep;
+  input.unload_speed = request.unload_speed;
   po_use others[] = {{"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA},
                      {"", po_texts_has(&given, PO_KEY_PROFILE_APPROACH), false},
                      {"", po_texts_has(&given, PO_KEY_PROFILE_LOAD), false},

@@ -136,5 +136,5 @@ bad 's/"cone:0.3", "p/"cone:-1", "p/' '*: lines[[]1[]].sweep (profile=cone:-1): 
 bad 's/key: cone_t/key: power_n/' '*: lines[[]2[]].sweep[[]3[]].key is power_n: expected a parameter of *'
 sed -e '/^  - name: laws/,/cone_t/d' -e 's/theory: jkr/theory: kesari-lew/' -e 's/key: profile, .*/key: amplitude, values: [1]}/' \
   -e 's/^scene: {/&profile: "cone:0.3", /' -e 's/profile: "power[^}]*law/law/' kept.yaml >"$file"
-expect 2 'pulloff: cases/good.yaml:*: lines[[]1[]].theory is kesari-lew: expected one of rigid, jkr and maugis*' run --output none
+expect 2 'pulloff: cases/good.yaml:*: lines[[]1[]].theory is kesari-lew: expected one of rigid, jkr, maugis and persson-brener*' run --output none
 finish

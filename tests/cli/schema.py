@@ -77,6 +77,8 @@ THEORIES = [
     "jkr --profile cone:0.3 --coupling 0.05 --contact-radius 3",
     "maugis --tabor 1 --contact-radius 9", f"jkr {SI} --wave 1e-10,5e-9 --contact-radius-m 6e-9",
     f"guduru {WAVY_SI} --preload-load-n 1e-9 --load-n 0", "jkr --curve curve.csv", f"jkr {SI} --approach-m 0", "dmt --load 0", "maugis --load 0",
+    "persson-brener --tabor 3 --viscoelastic sls:0.2 --unload-speed 1", "persson-brener --tabor 3 --viscoelastic sls:0.2 --unload-speed inf",
+    f"persson-brener {SI} --viscoelastic sls:0.2 --unload-speed-m-per-s 1e-9 --relaxation-time-s 1",
     f"guduru --tabor 3 {WAVES} --preload-load 1 --load -0.3", f"jkr --tabor 3 {WAVES} --preload 1",
     f"maugis {SI} --contact-radius-m 6e-9", "rigid --law morse:2 --approach 0.1",
 ]

@@ -5,8 +5,11 @@
 
 #include "po_estimates.h"
 #include "po_guduru.h"
+#include "po_load_unit.h"
 #include "po_maugis.h"
+#include "po_persson_brener.h"
 #include "po_quote.h"
+#include "po_request.h"
 #include "po_rigid_profile.h"
 #include "po_suggest.h"
 #include "po_theory_forces.h"
@@ -35,6 +38,8 @@ static void put_contact(po_form_values *v, const char *const names[3], po_contac
 
 static const char *const HERE[] = {"load", "approach", "contact_radius"};
 static const char *const LAST[] = {"last_load", "last_approach", "last_contact_radius"};
+static const char *const REVERSAL[] = {"reversal_load", "reversal_approach",
+                                       "reversal_contact_radius"};
 static const char *const LOWER[] = {"lower_load", "lower_approach", "lower_contact_radius"};
 static const char *const UPPER[] = {"upper_load", "upper_approach", "upper_contact_radius"};
 
@@ -234,8 +239,42 @@ static void lennard_jones_along(const po_form_input *in, po_form_values *v) {
 
 /* -- The state at a given load or approach, and after a preload -- */
 
-static const char *const REVERSAL[] = {"reversal_load", "reversal_approach",
-                                       "reversal_contact_radius"};
+/* The preload from which a viscoelastic body is unloaded: without one that of a solve, whose unit
+ * of loads may be another. */
+static po_preload preload_of(const po_form_input *in) {
+  if (in->has_preload)
+    return in->preload;
+  po_request request = po_request_default();
+  request.scene = in->scene;
+  const po_scene solved = po_load_unit_request(&request).scene;
+  return (po_preload){(double)NAN, PO_USUAL_PRELOAD * po_scene_load_unit(&solved)};
+}
+
+/* The forces of both limits are bounds in the limit of short range. */
+static void persson_brener(const po_form_input *in, po_form_values *v) {
+  const po_preload preload = preload_of(in);
+  const double speeds[] = {in->unload_speed, 0.0, INFINITY};
+  po_rate_theory of[] = {PO_NO_RATE_THEORY, PO_NO_RATE_THEORY, PO_NO_RATE_THEORY};
+  po_jkr_preloaded state = {NO_CONTACT, NO_CONTACT, 0};
+  note(v, po_jkr_after_preload(&in->scene, preload, &state));
+  if (!v->status && !(state.reversal.contact_radius > 0.0))
+    note(v, po_fail(PO_BAD_INPUT,
+                    "loading to the preload, approach %.9g, makes no contact: expected "
+                    "a harder one",
+                    state.reversal.approach));
+  for (int k = 0; k < 3 && !v->status; ++k) {
+    const bool is_limit = speeds[k] == 0.0 || isinf(speeds[k]);
+    note(v, (is_limit ? po_persson_brener_limit
+                      : po_persson_brener_of)(&in->scene, &in->creep, speeds[k], preload, &of[k]));
+  }
+  put(v, PO_FORM_WORK, "effective_work", of->work);
+  put_pull_off_contact(v, (po_contact){-of->force, of->approach, of->contact_radius});
+  put(v, PO_FORM_PURE, "edge_speed", of->edge_speed);
+  v->items[v->count - 1].may_be_infinite = isinf(in->unload_speed);
+  put(v, PO_FORM_FORCE, "relaxed_force", of[1].force);
+  put(v, PO_FORM_FORCE, "at_once_force", of[2].force);
+  put_contact(v, REVERSAL, state.reversal);
+}
 
 /* Appends the states of the JKR curve after the preload. Returned: the contact radius at which
  * loading is reversed; INFINITY without a preload. */
@@ -329,6 +368,10 @@ static const po_form FORMS[] = {
      PO_NEEDS_WAVES | PO_NEEDS_ELASTIC, ALL,
      "Eqs 25 to 30; Persson and Tosatti 2001: energy of complete contact",
      "one that closes all grooves"},
+    {"persson-brener", persson_brener, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_ELASTIC | PO_NEEDS_RATE,
+     ALL | PO_TAKES_PROFILE | PO_TAKES_LAW | PO_TAKES_RATE,
+     "Persson and Brener 2005: work of adhesion of a moving edge, JKR of the relaxed body",
+     "slow loading to the preload that a solve has by default, where the body is relaxed"},
     {"rumpf-rabinowicz", rumpf_rabinowicz, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_ALPHA,
      WAVES | PO_TAKES_ALPHA, "Eq 20; Rumpf 1990, Rabinowicz: rigid crest on a rigid sphere",
      "any: rigid bodies have one load at an approach"},
@@ -340,6 +383,8 @@ static const po_form FORMS[] = {
      "Eq 9: traction-separation law", NULL}};
 
 const char *po_form_preload(const po_form *form, const po_form_input *input) {
+  if (input->has_preload && form->takes & PO_TAKES_RATE)
+    return "slow loading to the preload, where the body is relaxed";
   return input->has_preload
              ? "of after_preload: loading at given approach from separation, with the jumps of "
                "this theory; of pull_off: any"
@@ -359,7 +404,7 @@ const char *po_form_branch(const po_form_input *input) {
 
 const char *const PO_FORM_NAMES =
     "bradley, rigid, jkr, dmt, maugis, guduru, kesari-lew, persson-tosatti, "
-    "rumpf-rabinowicz, compactness, crest or lennard-jones";
+    "persson-brener, rumpf-rabinowicz, compactness, crest or lennard-jones";
 
 const po_form *po_form_find(const char *name) {
   for (size_t i = 0; i < sizeof FORMS / sizeof *FORMS; ++i)
@@ -373,6 +418,11 @@ po_status po_form_refuse(const char *name) {
   return po_suggest(po_fail(PO_BAD_INPUT, "no closed form is named %s: expected %s",
                             po_quote(name, shown), PO_FORM_NAMES),
                     name, PO_FORM_NAMES);
+}
+
+bool po_form_lacks_rate(const po_form *form, const po_form_input *input) {
+  return form->needs & PO_NEEDS_RATE &&
+         (input->creep.kind == PO_CREEP_NONE || isnan(input->unload_speed));
 }
 
 unsigned po_form_takes(const po_form *form, bool alpha_is_given) {

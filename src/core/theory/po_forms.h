@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_creep.h"
 #include "po_loops.h"
 #include "po_scene.h"
 #include "po_status.h"
@@ -23,7 +24,9 @@ typedef struct {
   po_form_held held; /* not beside `at` */
   double value;      /* of what is held, pi w R or eps */
   bool has_preload;
-  po_preload preload; /* with a finite approach or load */
+  po_preload preload;  /* with a finite approach or load */
+  po_creep creep;      /* of a viscoelastic body */
+  double unload_speed; /* eps/tau_0, or INFINITY; NAN: not given */
 } po_form_input;
 
 /* The unit of a number. */
@@ -63,7 +66,8 @@ enum {
       1, /* amplitude and wavelength; the wavelength is not needed if the amplitude is 0 */
   PO_NEEDS_ALPHA = 2, /* alpha, or amplitude and wavelength */
   PO_NEEDS_AMPLITUDE = 4,
-  PO_NEEDS_ELASTIC = 8 /* a Tabor parameter above 0 */
+  PO_NEEDS_ELASTIC = 8, /* a Tabor parameter above 0 */
+  PO_NEEDS_RATE = 16    /* a viscoelastic material, and the speed of unloading */
 };
 
 /* The keys of the scene on which a form depends, besides its variable. Command line and library
@@ -78,8 +82,10 @@ enum {
   PO_TAKES_LAW = 64,
   PO_TAKES_TENSION = 128,
   PO_TAKES_PRELOAD = 256,
-  PO_TAKES_STATE = 512, /* a load or an approach, of which the contact radius follows */
-  PO_TAKES_CURVE = 1024 /* the form has a curve of states over the contact radius */
+  PO_TAKES_STATE = 512,  /* a load or an approach, of which the contact radius follows */
+  PO_TAKES_CURVE = 1024, /* the form has a curve of states over the contact radius */
+  PO_TAKES_RATE = 2048   /* a viscoelastic material, the speed, and the preload from which the body
+                            is unloaded; without a preload that of po_request_preload */
 };
 
 /* A closed form. Both functions append to `values`. Source and accuracy of each number are stated
@@ -100,6 +106,9 @@ const po_form *po_form_find(const char *name);
 
 /* Refuses the name of no form. Status: PO_BAD_INPUT. */
 po_status po_form_refuse(const char *name);
+
+/* Whether an input lacks the material or the speed that a form needs. */
+bool po_form_lacks_rate(const po_form *form, const po_form_input *input);
 
 /* Returned: the keys on which a form depends. With alpha it does not depend on the wavelength, nor
  * on the other keys that alpha replaces. */

@@ -85,12 +85,13 @@ static po_rate_theory limit_at(const edge *e, double a) {
 
 /* The greatest tension of a number of equal steps from a contact radius to the axis: the vertex of
  * the parabola through the greatest one and its neighbours. A state that the edge jumps over, since
- * the approach was less before, is not visited. */
+ * the approach was less before, is not visited. At a finite speed the tension begins at that of the
+ * relaxed contact and is not smooth there on the scale of a step: no parabola has that state. */
 static po_rate_theory greatest(const edge *e, double from, int steps) {
   const bool limit = e->speed == 0.0 || isinf(e->speed);
   po_rate_theory best = {.force = -INFINITY},
                  last = limit ? limit_at(e, from) : state_at(e, from, 1.0);
-  double lowest = last.approach, forces[3] = {NAN, NAN, last.force};
+  double lowest = last.approach, forces[3] = {NAN, NAN, limit ? last.force : (double)NAN};
   if (limit)
     best = last;
   for (int k = 1; k < steps; ++k) {
@@ -113,6 +114,23 @@ static po_rate_theory greatest(const edge *e, double from, int steps) {
 /* Implicit steps are of first order: the force is extrapolated from STEPS and half as many. */
 enum { STEPS = 2000 };
 
+/* The greatest tension of all states with Gamma = w/k, which none with less exceeds. An
+ * extrapolation does, where the tension rises to nearly that in the first steps. */
+static double bound(const edge *e, double from) {
+  double force = -INFINITY, forces[3] = {NAN, NAN, NAN};
+  for (int k = 0; k < STEPS; ++k) {
+    const double a = from * (double)(STEPS - k) / STEPS;
+    forces[0] = forces[1];
+    forces[1] = forces[2];
+    forces[2] = state_at(e, a, 1.0 / e->terms->instant).force;
+    const double bend = forces[0] - 2.0 * forces[1] + forces[2], slope = forces[2] - forces[0];
+    force = fmax(force, forces[2]);
+    if (bend < 0.0 && fabs(slope) < 2.0 * fabs(bend))
+      force = fmax(force, forces[1] - slope * slope / (8.0 * bend));
+  }
+  return force;
+}
+
 po_status po_persson_brener_pull_off(const po_scene *scene, const po_creep_terms *terms,
                                      double speed, po_preload preload, po_rate_theory *found) {
   const edge e = {scene, terms, speed, length_of_edge(scene)};
@@ -125,6 +143,37 @@ po_status po_persson_brener_pull_off(const po_scene *scene, const po_creep_terms
   const double coarse = greatest(&e, from, STEPS / 2).force;
   *found = greatest(&e, from, STEPS);
   found->preload_radius = from;
-  found->force += isfinite(speed) && speed > 0.0 ? found->force - coarse : 0.0;
+  if (speed > 0.0 && isfinite(speed))
+    found->force = fmin(found->force + (found->force - coarse), bound(&e, from));
+  return PO_OK;
+}
+
+po_status po_persson_brener_of(const po_scene *scene, const po_creep *creep, double speed,
+                               po_preload preload, po_rate_theory *found) {
+  po_creep_terms terms;
+  po_creep_terms_fill(creep, isfinite(speed) && speed > 0.0 ? 1.0 / speed : 1.0, &terms);
+  return po_persson_brener_pull_off(scene, &terms, speed, preload, found);
+}
+
+static double load_rate(double a, const void *data) {
+  return po_jkr_profile_rate(data, PO_FIXED_LOAD, a);
+}
+
+po_status po_persson_brener_limit(const po_scene *scene, const po_creep *creep, double speed,
+                                  po_preload preload, po_rate_theory *found) {
+  const po_status status = po_persson_brener_of(scene, creep, speed, preload, found);
+  if (status)
+    return status;
+  /* JKR theory with Gamma in place of w */
+  po_scene stronger = *scene;
+  stronger.tabor *= po_pow(found->work, 2.0 / 3.0);
+  const double step = found->preload_radius / STEPS,
+               a = po_root(load_rate, &stronger, found->contact_radius - step,
+                           fmin(found->preload_radius, found->contact_radius + step));
+  const edge e = {.scene = scene};
+  const po_rate_theory before = *found;
+  *found = state_at(&e, isnan(a) ? before.contact_radius : a, before.work);
+  found->edge_speed = before.edge_speed;
+  found->preload_radius = before.preload_radius;
   return PO_OK;
 }

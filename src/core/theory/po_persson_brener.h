@@ -48,10 +48,18 @@ typedef struct {
 
 /* Given: a scene with tabor > 0; the terms of the material; the speed of the base, eps/tau_0, >= 0
  * or INFINITY; the preload. Returned: *found. Status: PO_BAD_INPUT, PO_NOT_FOUND, PO_NO_MEMORY as
- * po_jkr_after_preload. Accuracy: 1e-4 of the force, by halved steps
- * (tests/unit/test_persson_brener.c).
- */
+ * po_jkr_after_preload. Accuracy: 4e-4 of the force; 2e-3 where the tension is greatest within the
+ * first steps, each 1/2000 of the contact radius (tests/cli/test_theory_rate.py). Contact radius
+ * and approach are those of a step. */
 po_status po_persson_brener_pull_off(const po_scene *scene, const po_creep_terms *terms,
                                      double speed, po_preload preload, po_rate_theory *found);
+
+/* The same of a material that is not PO_CREEP_NONE; and at the speeds 0 and INFINITY, where the
+ * work of adhesion is constant, at the root of the derivative of the load. Accuracy of the latter:
+ * 1e-12 of the force where the tension has a smooth maximum, or is greatest at the preload. */
+po_status po_persson_brener_of(const po_scene *scene, const po_creep *creep, double speed,
+                               po_preload preload, po_rate_theory *found);
+po_status po_persson_brener_limit(const po_scene *scene, const po_creep *creep, double speed,
+                                  po_preload preload, po_rate_theory *found);
 
 #endif

@@ -78,10 +78,8 @@ static po_status rumpf(evaluation *e, double *force) {
 
 /* The state of greatest tension at a speed of unloading. */
 static po_status at_speed(const evaluation *e, double speed, po_rate_theory *state) {
-  po_creep_terms terms;
-  const double duration = isfinite(speed) && speed > 0.0 ? 1.0 / speed : 1.0;
-  po_creep_terms_fill(&e->request->creep, duration, &terms);
-  return po_persson_brener_pull_off(e->scene, &terms, speed, po_request_preload(e->request), state);
+  return po_persson_brener_of(e->scene, &e->request->creep, speed, po_request_preload(e->request),
+                              state);
 }
 
 static po_status persson_brener(evaluation *e, double *force) {

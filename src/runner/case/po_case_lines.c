@@ -30,6 +30,8 @@ static bool is_of_form(const po_form *form, int key) {
     return form->takes & PO_TAKES_PROFILE && key != PO_KEY_TABLE_SCALE && key != PO_KEY_SMOOTH &&
            key != PO_KEY_PROFILE_FILE;
   default: /* the closed forms are for the unbounded half-space */
+    if (key == PO_KEY_UNLOAD_SPEED)
+      return form->takes & PO_TAKES_RATE;
     return PO_KEYS[key].owner == PO_OWNER_SCENE && po_key_target(key) != PO_KEY_OUTER_RADIUS;
   }
 }
@@ -94,6 +96,12 @@ static po_form_input input_of(const po_case_file *file, const po_case_line *line
       po_number_parse(swept_value(line, i, row), key < 0 ? &input.at : &input.alpha);
   }
   input.scene = request.scene;
+  if (takes & PO_TAKES_RATE) {
+    input.creep = request.creep;
+    input.unload_speed = request.unload_speed;
+    input.preload = request.preload;
+    input.has_preload = isfinite(request.preload.approach) || !isnan(request.preload.load);
+  }
   if (isnan(input.alpha) && po_scene_is_wavy(&input.scene))
     input.alpha = po_scene_alpha(&input.scene);
   return input;
@@ -104,9 +112,12 @@ static const char *missing_input(const po_form *form, const po_form_input *input
   const po_scene *scene = &input->scene;
   const bool paper = po_scene_is_of_paper(scene);
   if (!paper && !(form->takes & PO_TAKES_PROFILE))
-    return "one of rigid, jkr and maugis, as the scene is no sphere with one wave or none";
+    return "one of rigid, jkr, maugis and persson-brener, as the scene is no sphere with one wave "
+           "or none";
   if (form->needs & PO_NEEDS_ELASTIC && !(scene->tabor > 0))
     return "a tabor > 0";
+  if (po_form_lacks_rate(form, input))
+    return "viscoelastic and unload_speed";
   if (!paper || input->general)
     return NULL;
   if (form->needs & PO_NEEDS_AMPLITUDE && !(scene->amplitude > 0))
@@ -124,7 +135,8 @@ static po_status parse_axis(po_axis *axis, const po_form *form, const char *wher
   if (!is_variable(form, axis->key) && !is_of_form(form, key))
     return po_fields_refuse(yaml,
                             "tabor, coupling, amplitude, wavelength, radius, alpha, "
-                            "amplitude_ratio, the variable of the form, or a law, a profile or "
+                            "amplitude_ratio, the variable of the form, the speed of "
+                            "persson-brener, or a law, a profile or "
                             "waves if the form takes them",
                             "%s.key", where);
   const po_status status = po_axis_fill(axis, where, yaml);

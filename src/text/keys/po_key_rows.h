@@ -25,7 +25,7 @@
     HELP("radius at which the elastic surface is cut, in epsilon; inf is the unbounded half-space (default inf)")) \
   X(LAW, "law", WORDS(PO_LAW_EXPECTED), NUMBER, LAW, NO_PLACE, CONSTANT, EVERY, "LAW", \
     HELPS("traction-separation law: lennard-jones (Eq 9), mie:M,N with 1<M<N, or morse:A (default lennard-jones)", \
-          "traction-separation law: lennard-jones, mie:M,N or morse:A (rigid, maugis; default lennard-jones)")) \
+          "traction-separation law: lennard-jones, mie:M,N or morse:A (rigid, maugis, persson-brener; default lennard-jones)")) \
   X(MIE_M, "mie_m", OTHER(POSITIVE, "a finite number > 1"), NUMBER, LAW, OF_LAW(PO_MIE_M), VARIES, SERIES, "M", NO_HELP) \
   X(MIE_N, "mie_n", OTHER(POSITIVE, "a number > mie_m, at most 60"), NUMBER, LAW, OF_LAW(PO_MIE_N), VARIES, SERIES, "N", \
     HELP("exponents M and N, for --law mie without exponents")) \
@@ -35,7 +35,7 @@
     HELPS("initial gap without waves: sphere, power:C,N (C r^N), cone:T (T r), punch:B,R (0 up to B, (r-B)^2/2R " \
           "beyond), truncated:B,R (0 up to B, (r^2-B^2)/2R beyond), exact_sphere:R (R-sqrt(R^2-r^2)) or " \
           "hyperboloid:T,B (T(sqrt(r^2+B^2)-B)); lengths in epsilon (default sphere: the parabola r^2/2R)", \
-          "initial gap without waves (rigid, jkr, maugis): sphere, power:C,N (C r^N), cone:T (T r), punch:B,R " \
+          "initial gap without waves (rigid, jkr, maugis, persson-brener): sphere, power:C,N (C r^N), cone:T (T r), punch:B,R " \
           "(0 up to B, (r-B)^2/2R beyond), truncated:B,R (0 up to B, (r^2-B^2)/2R beyond), exact_sphere:R " \
           "(R-sqrt(R^2-r^2)) or hyperboloid:T,B (T(sqrt(r^2+B^2)-B)); lengths in epsilon (default sphere: the " \
           "parabola r^2/2R)")) \
@@ -78,11 +78,11 @@
   X(PRELOAD, "preload", FINITE_OR_INFINITE, LENGTH, TRACE, PLACE(preload.approach), CONSTANT, EVERY, "D", \
     HELPS("approach up to which the bodies are loaded before they are pulled off, in epsilon; inf searches all " \
           "preloads for the greatest pull-off force", \
-          "approach up to which the bodies are loaded, in epsilon (jkr, guduru)")) \
+          "approach up to which the bodies are loaded, in epsilon (jkr, guduru, persson-brener)")) \
   X(PRELOAD_LOAD, "preload_load", NOT_NEGATIVE, LOAD, TRACE, PLACE(preload.load), CONSTANT, EVERY, "W", \
     HELPS("load up to which the bodies are loaded, in pi w R; with --preload, loading ends at whichever is reached " \
           "first (default 1, unless a preload or the end of the trace is given as an approach)", \
-          "load up to which the bodies are loaded, in pi w R (jkr, guduru): the pull-off after loading to the " \
+          "load up to which the bodies are loaded, in pi w R (jkr, guduru, persson-brener): the pull-off after loading to the " \
           "preload along the curve of the theory, with its jumps, and the state at the reversal")) \
   X(STIFFNESS, "stiffness", POSITIVE, STIFFNESS, TRACE, PLACE(stiffness), CONSTANT, SPRING, "K", \
     HELP("stiffness of a spring through which the body is moved, in pi w R/epsilon: --want hysteresis and preload " \
@@ -90,12 +90,13 @@
   X(RANGE, "range", WORDS("auto, exact or reduced"), NUMBER, TRACE, NO_PLACE, CONSTANT, SERIES, "NAME", \
     HELP("range of the attraction with which pull-off and loops are found: exact, the true one; reduced, several greater " \
          "ones and their limit; auto, the latter where contact edges are very narrow or the solve fails or is long (default auto)")) \
-  X(VISCOELASTIC, "viscoelastic", WORDS(PO_CREEP_EXPECTED), NUMBER, TRACE, NO_PLACE, CONSTANT, SERIES, "MATERIAL", \
-    HELP("viscoelastic half-space, loaded slowly, or at --load-speed, to the preload and unloaded at --unload-speed: sls:K, the standard " \
+  X(VISCOELASTIC, "viscoelastic", WORDS(PO_CREEP_EXPECTED), NUMBER, TRACE, NO_PLACE, CONSTANT, EVERY, "MATERIAL", \
+    HELPS("viscoelastic half-space, loaded slowly, or at --load-speed, to the preload and unloaded at --unload-speed: sls:K, the standard " \
          "linear solid, gamma:K,N, the Gamma spectrum with the exponent N, or prony:FILE, a table of times and weights of " \
          "the modulus or the compliance; K is the ratio of the relaxed to the glassy modulus, and --tabor belongs to the " \
-         "relaxed one (default: elastic)")) \
-  X(UNLOAD_SPEED, "unload_speed", NOT_NEGATIVE_OR_INFINITE, NUMBER, TRACE, PLACE(unload_speed), VARIES, SERIES, "V", \
+         "relaxed one (default: elastic)", \
+         "viscoelastic half-space (persson-brener): sls:K, gamma:K,N or prony:FILE, as in solve")) \
+  X(UNLOAD_SPEED, "unload_speed", NOT_NEGATIVE_OR_INFINITE, NUMBER, TRACE, PLACE(unload_speed), VARIES, EVERY, "V", \
     HELP("speed of unloading of --viscoelastic, in epsilon/tau_0; 0 and inf are the slow and the fast limit")) \
   X(LOAD_SPEED, "load_speed", NOT_NEGATIVE_OR_INFINITE, NUMBER, TRACE, PLACE(load_speed), VARIES, SERIES, "V", \
     HELP("speed of loading of --viscoelastic, in epsilon/tau_0, from a state before any creep with the bodies apart; 0 is " \
@@ -150,10 +151,10 @@
     HELP("load up to which the bodies are loaded, in N")) \
   X(STIFFNESS_N_PER_M, "stiffness_n_per_m", POSITIVE, STIFFNESS, SI, SETS(STIFFNESS), CONSTANT, SPRING, "K", \
     HELP("stiffness of the spring through which the body is moved, in N/m")) \
-  X(RELAXATION_TIME_S, "relaxation_time_s", POSITIVE, NUMBER, SI, NO_PLACE, CONSTANT, SERIES, "TAU", \
+  X(RELAXATION_TIME_S, "relaxation_time_s", POSITIVE, NUMBER, SI, NO_PLACE, CONSTANT, EVERY, "TAU", \
     HELP("time tau_0 of --viscoelastic, in s: that of creep under a held load; the modulus of sls:K relaxes in K tau_0")) \
   X(UNLOAD_SPEED_M_PER_S, "unload_speed_m_per_s", NOT_NEGATIVE_OR_INFINITE, NUMBER, SI, SETS(UNLOAD_SPEED), VARIES, \
-    SERIES, "V", HELP("speed of unloading of --viscoelastic, in m/s; needs --relaxation-time-s, unless the " \
+    EVERY, "V", HELP("speed of unloading of --viscoelastic, in m/s; needs --relaxation-time-s, unless the " \
          "times of a table are in s")) \
   X(LOAD_SPEED_M_PER_S, "load_speed_m_per_s", NOT_NEGATIVE_OR_INFINITE, NUMBER, SI, SETS(LOAD_SPEED), VARIES, \
     SERIES, "V", HELP("speed of loading of --viscoelastic, in m/s")) \

@@ -489,10 +489,27 @@ static unsigned part_of(po_key key) {
     return PO_TAKES_RADIUS;
   case PO_KEY_PRELOAD:
   case PO_KEY_PRELOAD_LOAD:
-    return PO_TAKES_PRELOAD;
+    return PO_TAKES_PRELOAD | PO_TAKES_RATE;
+  case PO_KEY_VISCOELASTIC:
+  case PO_KEY_UNLOAD_SPEED:
+    return PO_TAKES_RATE;
   default:
     return 0;
   }
+}
+
+po_status po_texts_check_rate(const po_texts *given, const po_form *form,
+                              const po_form_input *input) {
+  char name[3][PO_KEY_NAME_LENGTH];
+  const po_key keys[] = {PO_KEY_VISCOELASTIC, PO_KEY_UNLOAD_SPEED, PO_KEY_PRELOAD};
+  for (int k = 0; k < 3; ++k)
+    po_texts_name(given, keys[k], name[k]);
+  if (po_form_lacks_rate(form, input))
+    return po_fail(PO_BAD_INPUT, "theory %s needs %s and %s", form->name, name[0], name[1]);
+  if (form->needs & PO_NEEDS_RATE && isinf(input->preload.approach))
+    return po_fail(PO_BAD_INPUT, "%s is %g: expected a finite number", name[2],
+                   input->preload.approach);
+  return PO_OK;
 }
 
 po_status po_texts_check_form(const po_texts *given, const po_form *form, bool alpha,
@@ -513,7 +530,7 @@ po_status po_texts_check_form(const po_texts *given, const po_form *form, bool a
       if ((po_key_target(key) != PO_KEY_TABOR) != (other != 0))
         continue;
       const bool named = !po_key_is_number(key) || key == PO_KEY_COUPLING ||
-                         part_of(key) == PO_TAKES_PRELOAD ||
+                         part_of(key) & PO_TAKES_RATE ||
                          (po_key_is_of_scene(key) && PO_KEYS[k].owner == PO_OWNER_SCENE);
       po_use *use = &uses[used++];
       po_texts_name(given, key, use->name);

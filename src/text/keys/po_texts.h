@@ -73,4 +73,8 @@ po_status po_use_check(const char *what, const po_use *uses, size_t count);
 po_status po_texts_check_form(const po_texts *given, const po_form *form, bool alpha,
                               const po_use *others, size_t count);
 
+/* Refuses an input without the material, the speed or the finite preload that a form needs. */
+po_status po_texts_check_rate(const po_texts *given, const po_form *form,
+                              const po_form_input *input);
+
 #endif
