@@ -6,6 +6,8 @@ phi = sum_m w_m exp(-t/tau_m), sum_m w_m = 1. Times are in tau_0.
     sls       the standard linear solid: one term, tau = 1
     gamma:n   phi = (1/Gamma(n)) int_0^inf tau^(n-1) exp(-tau) exp(-t/tau) dtau
     terms:tau_1@w_1;tau_2@w_2   a series, w_1 + w_2 + ... = 1
+
+A table of a material (cases/materials) has such a series of the compliance, or one of the modulus, which is converted.
 """
 
 from dataclasses import dataclass
@@ -34,6 +36,29 @@ def series(text):
     if not (np.all(times > 0.0) and np.all(weights > 0.0) and abs(weights.sum() - 1.0) < 1e-12):
         raise ValueError(f"series {text}: expected times > 0, and weights > 0 with the sum 1")
     return times, weights
+
+
+def measured(path):
+    """The spectrum and k of a table: times with weights of the compliance and the instantaneous one, or of the modulus and
+    the relaxed one."""
+    lines = [line.split(",") for line in path.read_text().splitlines() if not line.startswith("#")]
+    kind, numbers = lines[0][1], np.array(lines[1:], dtype=float)
+    limit = np.isin(numbers[:, 0], (0.0, np.inf))
+    (_, alone), (times, weights) = *numbers[limit], numbers[~limit].T
+    k = float(alone / (alone + weights.sum()))
+    if kind == "modulus":
+        # s times the Laplace transform of the modulus is N(s)/prod (1 + tau s). The zeros of N are -1/tau of the compliance;
+        # the weights follow from the residues there of the inverse.
+        poles = np.poly1d(1.0)
+        for time in times:
+            poles = poles * np.poly1d([time, 1.0])
+        zeros = poles * alone
+        for time, weight in zip(times, weights):
+            zeros = zeros + np.poly1d([weight * time, 0.0]) * np.poly1d(np.polydiv(poles.coeffs, [time, 1.0])[0])
+        at = np.sort(zeros.roots.real)
+        times, weights = -1.0 / at, alone * poles(at) / (at * zeros.deriv()(at))
+    weights = weights / weights.sum()
+    return "terms:" + ";".join(f"{time:.17g}@{weight:.17g}" for time, weight in zip(times, weights)), k
 
 
 def creep(spectrum, k, speed, refine=1.0):

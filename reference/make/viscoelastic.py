@@ -15,6 +15,7 @@ The equations and the method are those of unloading.py; the spectra and the theo
 """
 
 import csv
+import hashlib
 import sys
 from dataclasses import replace
 
@@ -22,12 +23,13 @@ import numpy as np
 
 from branch import NotConverged, smooth_sphere
 from command_line import STORED, notes, options, run
-from creep import persson_brener
+from creep import measured, persson_brener, series
 from tables import bound, number, read_table, write_table
 from unloading import A, B, C, Accuracy, Loading, Test
 from wavy_sphere import Scene
 
-TABLE, FENG, DATE = "viscoelastic.csv", "feng_pull_off.csv", "2026-11-27"
+TABLE, FENG, DATE = "viscoelastic.csv", "feng_pull_off.csv", "2026-11-28"
+MATERIALS = STORED.parent / "cases/materials"
 KEYS = "tabor amplitude wavelength radius outer_radius viscoelastic preload unload_speed stiffness load_speed dwell".split()
 NAMES = "force approach contact_radius time work dissipated jump_loss end_approach".split()
 SCENES = [tuple(line.split() + ["-"] * (len(KEYS) - len(line.split()))) for line in """
@@ -67,8 +69,11 @@ SCENES = [tuple(line.split() + ["-"] * (len(KEYS) - len(line.split()))) for line
     1 0 20 100 inf gamma:0.1;0.6 3 10 - 10 0.5
     0.3 0 20 100 inf sls:0.01 2 10 - 100 0
     1 0 20 100 inf sls:0.1 3 1 0.3 1 0.5
+    1 0 20 100 inf prony:creep 5 1 -
+    1 0.5 20 100 100 prony:relaxation 5 10 -
+    1 0 20 100 inf prony:creep 5 1 0.3
 """.strip().splitlines()]
-SAMPLE = SCENES[:4]
+SAMPLE = [*SCENES[:4], SCENES[-3]]
 
 # Panels: their width over the length of the relaxed edge is halved until UNRESOLVED bounds the last two Legendre
 # coefficients of the traction, over the largest traction, at all times.
@@ -79,15 +84,25 @@ COARSE_TIME = {"step": 1e-5, "spectrum": 0.9}
 
 
 def material(text):
-    """The spectrum, as creep takes it, and k of `sls:k`, `gamma:k;n` or `terms:k;tau_1@w_1;...`."""
+    """The spectrum, as creep takes it, and k of `sls:k`, `gamma:k;n`, `terms:k;tau_1@w_1;...` or `prony:NAME`, a table of
+    cases/materials."""
     name, _, rest = text.partition(":")
+    if name == "prony":
+        return measured(MATERIALS / f"{rest}.csv")
     if name == "terms":
         k, _, terms = rest.partition(";")
         return f"terms:{terms}", float(k)
     numbers = rest.replace(";", ",").split(",")
     if name not in ("sls", "gamma") or len(numbers) != (1 if name == "sls" else 2):
-        raise ValueError(f"material {text}: expected sls:k, gamma:k;n or terms:k;tau@w;...")
+        raise ValueError(f"material {text}: expected sls:k, gamma:k;n, terms:k;tau@w;... or prony:NAME")
     return name if name == "sls" else f"gamma:{numbers[1]}", float(numbers[0])
+
+
+def stored(key):
+    """The keys of a row as the table has them: of a material its digest."""
+    name, _, rest = key[5].partition(":")
+    digest = hashlib.sha256((MATERIALS / f"{rest}.csv").read_bytes()).hexdigest() if name == "prony" else rest
+    return (*key[:5], f"{name}:{digest}", *key[6:])
 
 
 def test_of(key, accuracy):
@@ -129,7 +144,7 @@ def solve(key):
 
 
 def cells(key, values, doubt, result):
-    return [*key, *map(number, values), *(f"{d:.1e}" for d in np.maximum(doubt, 1e-9)), str(len(result.jumps)),
+    return [*stored(key), *map(number, values), *(f"{d:.1e}" for d in np.maximum(doubt, 1e-9)), str(len(result.jumps)),
             f"{result.imbalance:.1e}"]
 
 
@@ -154,8 +169,9 @@ def header(rows):
         "units": "lengths in epsilon, approach > 0 pressed together; force, the greatest tension, in pi w R; energies in "
                  "pi w R epsilon; stiffness of the spring, whose base moves at the speed, in pi w R/epsilon (-: none); time, dwell and "
                  "relaxation times in tau_0, speeds in epsilon/tau_0 (load_speed -: slow loading); "
-                 "tabor = (R w^2/(E*^2 epsilon^3))^(1/3) with the relaxed E*; viscoelastic: sls:k, phi = exp(-t), or gamma:k;n, "
-                 "phi = (1/Gamma(n)) int tau^(n-1) exp(-tau) exp(-t/tau) dtau, k the relaxed over the glassy modulus; "
+                 "tabor = (R w^2/(E*^2 epsilon^3))^(1/3) with the relaxed E*; viscoelastic: sls:k, phi = exp(-t), gamma:k;n, "
+                 "phi = (1/Gamma(n)) int tau^(n-1) exp(-tau) exp(-t/tau) dtau, k the relaxed over the glassy modulus, or "
+                 "prony:SHA256, of a table in cases/materials; "
                  "end_approach: where the gap first exceeds that of the greatest tension, H = 3^(1/6) - 1, everywhere; "
                  "imbalance: work less change of energy, dissipation and losses in jumps",
         "uncertainty": "the differences from two coarser solutions, one in space and one in time, added; not below 1e-9",
@@ -175,16 +191,16 @@ def write_all(folder, resume):
     if resume and path.exists():
         done = {tuple(row[k] for k in KEYS): list(row.values()) for row in read_table(path)[1]}
     for key in SCENES:
-        if key in done:
+        if stored(key) in done:
             continue
         try:
-            done[key] = cells(key, *solve(key))
+            done[stored(key)] = cells(key, *solve(key))
         except NotConverged as problem:
             note(f"{' '.join(key)}: not tabulated: {problem}")
             continue
-        rows = [done[k] for k in SCENES if k in done]
+        rows = [done[k] for k in map(stored, SCENES) if k in done]
         write_table(path, header(rows), COLUMNS, rows)
-        note(" ".join(done[key]))
+        note(" ".join(done[stored(key)]))
 
 
 # What is known
@@ -192,11 +208,17 @@ def write_all(folder, resume):
 
 def known_limits():
     """The method in time has order 4; k = 1 is Feng's problem at any speed; a speed that the history cannot follow has no
-    influence; the theory of Persson and Brener has its limits."""
+    influence; a series of the modulus is converted; the theory of Persson and Brener has its limits."""
     moments = [B.sum() - 1.0, *(B @ C**j - 1.0 / (j + 1.0) for j in (1, 2, 3)), B @ A @ C - 1.0 / 6.0,
                B @ A @ A @ C - 1.0 / 24.0, (B * C) @ A @ C - 0.125, B @ A @ C**2 - 1.0 / 12.0, *(A.sum(axis=1) - C)]
     if not np.max(np.abs(moments)) < 1e-14:
         raise ValueError(f"conditions of order 4: {moments}")
+    spectrum, k = measured(MATERIALS / "relaxation.csv")
+    for frequency in 0.1, 3.0, 200.0:       # the complex modulus times the complex compliance
+        modulus, compliance = (1.0 + sum(part * 1j * frequency * time / (1.0 + 1j * frequency * time) for time, part in parts)
+                               for parts in (((0.02, 6.0), (0.5, 3.0)), ((t, -(1.0 - k) * w) for t, w in zip(*series(spectrum[6:])))))
+        if not abs(modulus * compliance - 1.0) < 1e-14:
+            raise ValueError(f"relaxation.csv as a series of the compliance: {modulus * compliance} at the frequency {frequency}")
     elastic = next(row for row in read_table(STORED / FENG)[1] if row["tabor"] == "1")
     values = fine(("1", "0", "20", "100", "inf", "sls:1", "2", "3", "-", "-", "-"))[0]
     for name, value, limit in ("force", values[0], 1e-7), ("approach", values[1], 1e-4):
@@ -214,11 +236,12 @@ def known_limits():
 def sample(folder):
     """Known limits, and the sample compared with the stored table."""
     known_limits()
-    stored = {tuple(row[k] for k in KEYS): row for row in read_table(folder / TABLE)[1]}
+    table = {tuple(row[k] for k in KEYS): row for row in read_table(folder / TABLE)[1]}
     for key in SAMPLE:
         values, _, _, result = fine(key)
+        row = table[stored(key)]
         for name, value in zip(NAMES, values):
-            known, doubt = float(stored[key][name]), float(stored[key][name + "_uncertainty"])
+            known, doubt = float(row[name]), float(row[name + "_uncertainty"])
             if not abs(value - known) <= doubt:
                 raise ValueError(f"{' '.join(key)}: {name} recomputed {number(value)}, stored {known!r}, uncertainty "
                                  f"{doubt}")

@@ -106,6 +106,7 @@ static po_status check_selectors(const po_csv *table) {
     const int key = po_key_of_name(table->columns[c]);
     for (size_t r = 0; key >= 0 && r < table->row_count; ++r)
       if (strcmp(po_csv_cell(table, r, c), NO_VALUE) != 0 &&
+          !po_key_is_identity(key, po_csv_cell(table, r, c)) &&
           !po_key_set(&request, key, po_csv_cell(table, r, c)))
         return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path,
                        table->lines[r], table->columns[c], po_csv_cell(table, r, c),
@@ -114,7 +115,8 @@ static po_status check_selectors(const po_csv *table) {
   for (size_t i = 0; i < table->header_count; ++i) {
     const po_csv_header *header = &table->headers[i];
     const int key = po_key_of_name(header->key);
-    if (key >= 0 && !po_key_set(&request, key, header->value))
+    if (key >= 0 && !po_key_is_identity(key, header->value) &&
+        !po_key_set(&request, key, header->value))
       return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path, header->line,
                      header->key, header->value, PO_KEYS[key].expected);
   }

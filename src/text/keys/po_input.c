@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_digest.h"
 #include "po_theory_forces.h"
 
 typedef enum {
@@ -401,6 +402,14 @@ static po_request with_one_name(po_request request) {
   return request;
 }
 
+bool po_key_is_identity(po_key key, const char *text) {
+  const char *digest = key == PO_KEY_VISCOELASTIC   ? po_creep_file_of(text)
+                       : key == PO_KEY_PROFILE_FILE ? text
+                                                    : NULL;
+  const size_t length = PO_DIGEST_LENGTH - 1;
+  return digest && strlen(digest) == length && strspn(digest, "0123456789abcdef") == length;
+}
+
 bool po_key_matches(const po_request *request, po_key key, const char *text) {
   po_request wanted = *request;
   const po_scene *scene = &request->scene;
@@ -412,6 +421,8 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
     if (strcmp(text, identity) == 0)
       return true;
   }
+  if (po_key_is_identity(key, text))
+    return false;
   const bool optional = key == PO_KEY_STIFFNESS || key == PO_KEY_LOAD_SPEED || key == PO_KEY_DWELL;
   if (optional && strcmp(text, "-") == 0)
     return isnan(po_key_number(request, key));

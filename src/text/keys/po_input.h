@@ -118,9 +118,13 @@ double po_key_number(const po_request *request, po_key key);
 
 /* Returned: whether a key of the request has the value in `text`; numbers are compared to 4 ulp, so
  * that 0.1 in two files agrees however it was computed, and the coupling to the 15 digits of
- * tables. A table of radii and gaps has the value of a file with the same content, or of its
- * SHA-256. False if the key does not accept the value. */
+ * tables. A table has the value of a file with the same content, or of its SHA-256. False if the
+ * key does not accept the value. */
 bool po_key_matches(const po_request *request, po_key key, const char *text);
+
+/* Returned: whether a text is what identifies a table in place of its name: its SHA-256, of a
+ * material after "prony:". */
+bool po_key_is_identity(po_key key, const char *text);
 
 /* Returned: whether a key can be left out of the description of a scene: the solver chooses its
  * value, or does not use it. */
