@@ -98,16 +98,6 @@ static void print_range(const po_result *o) {
     printf("range    %.4g to %.4g times as great; the limit at the true one, %+.1e from the "
            "least, is stated with its error\n",
            o->range.least, o->range.greatest, o->range.change);
-  if (o->range.loops.are_known)
-    printf(
-        "loops    limits of those with ranges %.4g to %.4g times as great; errors of the ends of "
-        "jumps: approach at most %.1e, load %.1e\n",
-        o->range.loops.least, o->range.loops.greatest, o->range.loops.approach,
-        o->range.loops.load);
-  if (o->range.stairs.are_known)
-    printf("stairs   limits of those with ranges %.4g to %.4g times as great; steps of light preloads "
-           "that not all of them have, and are left out: %zu\n",
-           o->range.stairs.least, o->range.stairs.greatest, o->range.stairs.left_out);
 }
 
 /* A line if the contact at pull-off is too wide for a parabola in place of a sphere. */

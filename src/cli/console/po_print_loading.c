@@ -169,7 +169,7 @@ static void print_loop(const po_loop *loop, const po_request *request) {
 static void print_no_loop(const po_request *request, const po_result *o) {
   if (o->range.loops.are_known) {
     printf("load control: no loop, because those with greater ranges of the attraction do not have "
-           "the same jumps\n");
+           "the same jumps; expected the range exact, or another tolerance\n");
     return;
   }
   greatest g = {0};
@@ -231,13 +231,42 @@ static void print_wanted(const po_request *request, const po_result *o) {
   printf("%s\n", o->annuli.held_count ? "" : "none");
 }
 
+/* With which ranges of the attraction the loops were found, if not with the true one. */
+static void print_ranges_of_loops(const po_request *request, const po_result *o) {
+  const po_range_loops *range = &o->range.loops;
+  greatest g = {0};
+  po_si_take(&g.length, range->approach);
+  po_si_take(&g.load, range->load);
+  const units u = units_of(request, &g);
+  if (range->are_known)
+    printf(
+        "loops    limits of those with ranges %.4g to %.4g times as great; errors of the ends of "
+        "jumps: approach at most %.1e%s, load %.1e%s\n",
+        range->least, range->greatest, range->approach * u.length, u.of_length,
+        range->load * u.load, u.of_load);
+}
+
+/* The same of the staircases. */
+static void print_ranges_of_stairs(const po_result *o) {
+  const po_range_stairs *range = &o->range.stairs;
+  if (!range->are_known)
+    return;
+  printf("stairs   limits of those with ranges %.4g to %.4g times as great", range->least,
+         range->greatest);
+  if (range->left_out)
+    printf("; the pull-off after lighter preloads depends on the range, and is left out");
+  printf("\n");
+}
+
 void po_print_loading(const po_request *request, const po_result *result) {
   const po_hysteresis *h = &result->hysteresis;
+  print_ranges_of_loops(request, result);
   for (int k = 0; result->has_hysteresis && k < 2 + h->has_spring; ++k)
     if (k != PO_AT_LOAD || h->has_load)
       print_loop(&h->of[k], request);
     else
       print_no_loop(request, result);
+  print_ranges_of_stairs(result);
   if (result->has_staircases)
     print_staircases(request, result);
   print_wanted(request, result);

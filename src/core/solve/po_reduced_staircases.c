@@ -263,6 +263,7 @@ static po_status take_staircases(po_range_solves *s, po_result *o) {
   po_staircases_clear(&o->staircase);
   o->staircase = *from;
   o->has_staircases = true;
+  o->ended = s->solved[SOLVES - 1].ended;
   bool complete = true;
   for (int k = 0; k < SOLVES; ++k)
     complete &= s->solved[k].pull_off_any.complete;

@@ -60,10 +60,9 @@ static const po_field TRACED[] = {
 static const po_field CHECK[] = {
     TEXT("quantity", po_check, quantity_text,
          "pull_off_force, pull_off_approach, contact_radius, pull_off_uncertainty, residual, "
-         "moved_force, "
-         "energy_defect, reverse_trace, hysteresis_force, hysteresis_approach, hysteresis_loss, "
-         "jumps, pull_off_any, steps, load_steps, fold_count, folds, extrema, curve, work or "
-         "solved_share"),
+         "moved_force, energy_defect, reverse_trace, hysteresis_force, hysteresis_approach, "
+         "hysteresis_loss, jumps, pull_off_any, steps, load_steps, fold_count, folds, extrema, "
+         "curve or solved_share"),
     TEXT("reference", po_check, reference,
          "bradley, every_scene, zero, traced or the path of a CSV file"),
     OPTIONAL_TEXT("tolerance", po_check, tolerance_text, "a finite number > 0"),
