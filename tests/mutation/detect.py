@@ -6,9 +6,8 @@ import resource
 import signal
 import subprocess
 import threading
-import tomllib
 
-from plant import HERE, SOURCE, Stale
+from plant import HERE, SOURCE, Stale, read_entries
 
 KINDS = ("case", "table", "test")
 PULLOFF = "src/cli/pulloff"
@@ -32,13 +31,12 @@ def stop_all():
 
 
 def read_detectors(path):
-    with open(path, "rb") as stream:
-        detectors = tomllib.load(stream)["detector"]
+    detectors = read_entries(path)
     for detector in detectors:
         ways = sum(key in detector for key in ("verify", "program", "script"))
-        if detector.get("kind") not in KINDS or ways != 1 or not {"name", "title"} <= set(detector) or \
+        if detector["kind"] not in KINDS or ways != 1 or "title" not in detector or \
                 "verify" in detector and "only" in detector:
-            raise Stale(f"{path}: {detector.get('name', 'a detector')} is not as tests/mutation/README.md says")
+            raise Stale(f"{path}: {detector['name']} is not as tests/mutation/README.md says")
     return detectors
 
 

@@ -30,9 +30,15 @@ def content(path):
         return stream.read()
 
 
+def read_entries(path):
+    """The entries of a file, whose tables are named by kind and name, each with both."""
+    tables = tomllib.loads(content(path).decode())
+    return [{"name": name, "kind": kind, **entry} for kind, entries in tables.items() for name, entry in entries.items()]
+
+
 def read_faults(path):
     """The faults of a file, each with all keys."""
-    faults = tomllib.loads(content(path).decode())["fault"]
+    faults = read_entries(path)
     names = set()
     for fault in faults:
         known = dict(FAULT, **OPTIONAL)
