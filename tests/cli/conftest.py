@@ -54,20 +54,45 @@ class Ended:
         """The number of lines of the output in which the pattern is."""
         return sum(bool(re.search(pattern, line)) for line in self.out.splitlines())
 
+    def has(self, *patterns):
+        """Each of these patterns must be in a line of the output."""
+        for pattern in patterns:
+            assert self.count(pattern), f"no line {pattern}: {self.out}{self.err}"
+        return self
 
-def run(words, *more):
-    """Runs the program with the words of a command line, and more of them as they are."""
-    done = subprocess.run([PROGRAM, *shlex.split(words), *map(str, more)], capture_output=True, text=True, errors="surrogateescape")
+
+def words_of(words, *more):
+    """The program with the words of a command line, and more of them as they are."""
+    return [PROGRAM, *shlex.split(words), *map(str, more)]
+
+
+def run(words, *more, **options):
+    """Runs the program. The options are those of subprocess.run."""
+    done = subprocess.run(words_of(words, *more), capture_output=True, text=True, errors="surrogateescape", **options)
     return Ended(done.returncode, done.stdout, PROGRESS.sub("", done.stderr))
 
 
-def expect(code, message, words, *more):
-    """The same; the exit code must be this one, and standard error one line (a shell pattern; "": nothing)."""
-    ended = run(words, *more)
+def matches(text, pattern):
+    """Whether a line is as a shell pattern says, in which brackets stand for themselves."""
+    return fnmatch.fnmatchcase(text.rstrip("\n"), pattern.replace("[", "[[]"))
+
+
+def expect(code, message, words, *more, **options):
+    """The same; the exit code must be this one, and standard error one line (a shell pattern; "": nothing; None: anything)."""
+    ended = run(words, *more, **options)
     assert ended.code == code, f"pulloff {words}: exit code {ended.code}, expected {code}: {ended.err}"
     assert not message or ended.err.count("\n") == 1, f"pulloff {words}: expected one line: {ended.err}"
-    assert fnmatch.fnmatchcase(ended.err.rstrip("\n"), message), f"pulloff {words}: {ended.err}expected: {message}"
+    assert message is None or matches(ended.err, message), f"pulloff {words}: {ended.err}expected: {message}"
     return ended
+
+
+def edit(path, *changes):
+    """Changes a text file. changes: pairs of a text, which must occur, and what replaces its first occurrence."""
+    text = pathlib.Path(path).read_text()
+    for old, new in zip(changes[::2], changes[1::2], strict=True):
+        assert old in text, f"{path} has no {old}: {text}"
+        text = text.replace(old, new, 1)
+    pathlib.Path(path).write_text(text)
 
 
 def document(words, *more):
@@ -113,7 +138,7 @@ class Data:
     """A data folder: cases and reference tables, at first a table of the rigid sphere."""
 
     def __init__(self, folder):
-        self.folder = folder
+        self.folder, self.file = folder, folder / "cases/good.yaml"
         for name in ("cases", "reference"):
             (folder / name).mkdir(parents=True)
         self.table("reference/table.csv", "tabor,force,approach", "0,2,0")

@@ -40,6 +40,8 @@ import subprocess
 import sys
 import tempfile
 
+from tally import Tally
+
 BLOCK = re.compile(r"^```(console|\w+ file=(\S+))\n(.*?)^```$", re.M | re.S)
 SHOWN_FOLDER = "/home/me"
 COMMAND = re.compile(r"((?:build/src/cli/)?pulloff|python3) (.*)")
@@ -107,20 +109,12 @@ def split(text):
     return found
 
 
-class Tests:
+class Tests(Tally):
     def __init__(self, program, root, folder, write):
         self.program, self.folder, self.write = program, folder, write
         library = pathlib.Path(program).parents[1] / "library/libpulloff.so.0"
         self.environment = dict(os.environ, PULLOFF_DATA=str(root), PULLOFF_LIBRARY=str(library), PYTHONPATH=str(root / "python"),
                                 PYTHONDONTWRITEBYTECODE="1")
-        self.passed = self.failed = 0
-
-    def tell(self, what, wrong):
-        if wrong is None:
-            self.passed += 1
-        else:
-            self.failed += 1
-            print(f"FAILED: {what}\n  {wrong}")
 
     def run(self, command):
         """The lines that a command line prints; None if it fails."""
@@ -199,8 +193,7 @@ def main():
         for path in pages:
             tests.page(path, str(path.relative_to(root)))
         tests.manual(root / "src/cli/pulloff.1")
-    print(f"{tests.passed} passed, {tests.failed} failed" + ("; --write renews the blocks" if tests.failed and not tests.write else ""))
-    return 1 if tests.failed else 0
+    return tests.end("" if tests.write else "; --write renews the blocks")
 
 
 if __name__ == "__main__":

@@ -22,6 +22,8 @@ import subprocess
 import sys
 import tempfile
 
+from tally import Tally, errors
+
 try:
     import jsonschema
     import yaml
@@ -42,25 +44,15 @@ time_limit: 1
 """
 
 
-class Tests:
+class Tests(Tally):
     def __init__(self, program, root):
         self.program, self.root = program, root
         self.schema = json.loads((root / "doc/pulloff-ask-1.schema.json").read_text())
         jsonschema.Draft202012Validator.check_schema(self.schema)
         self.page = (root / "doc/solvers.md").read_text()
-        self.passed = self.failed = 0
-
-    def tell(self, what, wrong=None):
-        if wrong:
-            self.failed += 1
-            print(f"FAILED: {what}\n  {wrong}")
-        else:
-            self.passed += 1
 
     def valid(self, definition, document, what):
-        schema = {"$ref": f"#/$defs/{definition}", "$defs": self.schema["$defs"]}
-        errors = [f"{e.json_path}: {e.message}" for e in jsonschema.Draft202012Validator(schema).iter_errors(document)]
-        self.tell(what, "; ".join(errors[:3]))
+        self.tell(what, "; ".join(errors(self.schema["$defs"], definition, document)[:3]))
 
     def run(self, *words):
         return subprocess.run([self.program, *words], capture_output=True, text=True,
@@ -147,8 +139,7 @@ def main():
             tests.answers(request)
         tests.rows_of_page()
         os.chdir("/")
-    print(f"{tests.passed} passed, {tests.failed} failed")
-    return tests.failed > 0
+    return tests.end()
 
 
 sys.exit(main())

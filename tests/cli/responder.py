@@ -2,7 +2,7 @@
 """A solver that behaves in a chosen way: responder.py MODE TABLE REQUEST RESPONSE
 
 It knows the pull-off of smooth spheres, from the reference table TABLE, and answers with these numbers in the mode
-`good`. The other modes are the mistakes that tests/cli/solver_*.sh expect the program to find.
+`good`. The other modes are the mistakes that the tests of external solvers expect the program to find.
 """
 
 import csv

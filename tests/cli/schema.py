@@ -23,6 +23,7 @@ import sys
 import tempfile
 
 import digest
+from tally import Tally, errors
 
 try:
     import jsonschema
@@ -148,7 +149,7 @@ knob: {name: nodes, values: [3, 7]}
 """
 
 
-class Tests:
+class Tests(Tally):
     def __init__(self, program, root, folder):
         self.program, self.folder = program, folder
         self.environment = dict(os.environ, PULLOFF_DATA=str(root))
@@ -156,14 +157,6 @@ class Tests:
         jsonschema.Draft202012Validator.check_schema(schema)
         self.definitions = schema["$defs"]
         self.unseen = {(name, key) for name, d in self.definitions.items() for key in d.get("properties", {})}
-        self.passed = self.failed = 0
-
-    def tell(self, what, wrong=None):
-        if wrong:
-            self.failed += 1
-            print(f"FAILED: {what}\n  {wrong}")
-        else:
-            self.passed += 1
 
     def run(self, arguments, code=0):
         ended = subprocess.run([self.program, *arguments.split()], cwd=self.folder, env=self.environment,
@@ -171,20 +164,15 @@ class Tests:
         self.tell(arguments, ended.returncode != code and f"exit status {ended.returncode}: {ended.stderr}")
         return ended.stdout
 
-    def errors(self, definition, document):
-        schema = {"$ref": f"#/$defs/{definition}", "$defs": self.definitions}
-        found = jsonschema.Draft202012Validator(schema).iter_errors(document)
-        return [f"{error.json_path}: {error.message[:300]}" for error in found]
-
     def valid(self, definition, text, what):
         document = json.loads(text)
-        self.tell(f"{what}: valid", "; ".join(self.errors(definition, document)[:3]))
+        self.tell(f"{what}: valid", "; ".join(errors(self.definitions, definition, document)[:3]))
         self.note(definition, document)
         self.sealed(document, what)
         for spoil in (add_key, drop_key, retype):
             spoilt = copy.deepcopy(document)
             spoil(spoilt)
-            self.tell(f"{what}: {spoil.__name__} is found", not self.errors(definition, spoilt) and "valid")
+            self.tell(f"{what}: {spoil.__name__} is found", not errors(self.definitions, definition, spoilt) and "valid")
 
     def sealed(self, document, what):
         """The digest of a document, and those of the points of a record, by the function of doc/examples/digest.py."""
@@ -289,8 +277,7 @@ def main():
         tests.valid("record", pathlib.Path(folder, "some/solvers/good/mixed/part.json").read_text(), "record of one point")
     tests.tell("every property was seen", sorted(map(".".join, tests.unseen - NOT_HERE)))
     tests.documented(pathlib.Path(sys.argv[3]))
-    print(f"{tests.passed} passed, {tests.failed} failed")
-    return 1 if tests.failed else 0
+    return tests.end()
 
 
 # The first key says why a table is damaged, and the tables of the source tree are intact; a case has no uncertain inputs.

@@ -115,31 +115,31 @@ RING, TABOR, FORCE = "{scheme: ring, nodes: 63}", "tabor: 0.7}", "force, referen
 
 
 @pytest.mark.parametrize("old, new, message", [
-    (TABOR, "tabor: 0.7, nodes: 5}", "*: sweep[[]2].together *: expected each key swept once"),
-    (TABOR, "tabor: 0.7, radius: 5}", "*: sweep[[]1].together *: expected a key that the scene does not give"),
-    (TABOR, "tabor: -7}", "8: sweep[[]1].together[[]2].tabor is -7: expected *"),
-    ("{tabor: 0.7}", "{approach_end: 0.7}", "8: sweep[[]1].together[[]2].tabor is missing: expected *"),
-    (RING, "{scheme: triangle, nodes: 63}", "12: sweep[[]2].together[[]3] is *: expected each setting once"),
-    (TABOR, "tabor: 0.0, approach_end: 5e-1}", "8: sweep[[]1].together[[]2] is *: expected each setting once"),
-    (RING, "{scheme: ring}", "12: sweep[[]2].together[[]3].nodes is missing: expected *"),
-    (TABOR, "tabour: 0.7}", "8: sweep[[]1].together[[]2].tabour is unknown: expected one of tabor, *"),
-    ("leave_out:", "  - {key: nodes}\nleave_out:", "13: sweep[[]3].values is missing: expected a list of values, or from, to and count"),
+    (TABOR, "tabor: 0.7, nodes: 5}", "*: sweep[2].together *: expected each key swept once"),
+    (TABOR, "tabor: 0.7, radius: 5}", "*: sweep[1].together *: expected a key that the scene does not give"),
+    (TABOR, "tabor: -7}", "8: sweep[1].together[2].tabor is -7: expected *"),
+    ("{tabor: 0.7}", "{approach_end: 0.7}", "8: sweep[1].together[2].tabor is missing: expected *"),
+    (RING, "{scheme: triangle, nodes: 63}", "12: sweep[2].together[3] is *: expected each setting once"),
+    (TABOR, "tabor: 0.0, approach_end: 5e-1}", "8: sweep[1].together[2] is *: expected each setting once"),
+    (RING, "{scheme: ring}", "12: sweep[2].together[3].nodes is missing: expected *"),
+    (TABOR, "tabour: 0.7}", "8: sweep[1].together[2].tabour is unknown: expected one of tabor, *"),
+    ("leave_out:", "  - {key: nodes}\nleave_out:", "13: sweep[3].values is missing: expected a list of values, or from, to and count"),
     ("leave_out:", "  - {key: grading, values: [graded], together: [{tabor: 1}]}\nleave_out:",
-     "13: sweep[[]3].together is *: expected key and values, or together alone"),
-    ("because: it is made so", 'because: ""', "14: leave_out[[]1].because is empty: expected the reason *"),
-    ("values: [ring]", "values: [rind]", "14: leave_out[[]1].when[[]2].values[[]1] is rind: *"),
+     "13: sweep[3].together is *: expected key and values, or together alone"),
+    ("because: it is made so", 'because: ""', "14: leave_out[1].because is empty: expected the reason *"),
+    ("values: [ring]", "values: [rind]", "14: leave_out[1].when[2].values[1] is rind: *"),
     ("{key: tabor, values: [0.7]}", "{key: tabor, values: [0.8]}",
-     "14: leave_out[[]1].when is *: expected a condition that holds for at least one point"),
+     "14: leave_out[1].when is *: expected a condition that holds for at least one point"),
     ("{key: tabor, values: [0.7]}, {key: scheme, values: [ring]}",
      "{key: radius, values: [100]}, {key: scheme, values: [ring, panel, triangle]}",
      "13: leave_out is *: expected rules that do not exclude all points"),
     # a quantity without any reference is not computed
-    *(("quantity: curve", "quantity: " + quantity, f"20: measure[[]3].quantity is {quantity}: expected pull_off_force, *")
+    *(("quantity: curve", "quantity: " + quantity, f"20: measure[3].quantity is {quantity}: expected pull_off_force, *")
       for quantity in ("residual", "moved_force", "energy_defect", "reverse_trace", "hysteresis_force", "jumps")),
-    *((FORCE, "force, reference: " + reference, f"18: measure[[]1].reference is {reference}: expected bradley or *")
+    *((FORCE, "force, reference: " + reference, f"18: measure[1].reference is {reference}: expected bradley or *")
       for reference in ("zero", "traced", "every_scene")),
-    ("quantity: curve", "quantity: solved_share", "20: measure[[]3].quantity is solved_share: expected *"),
-    (FORCE, FORCE + ", tolerance: 1", "18: measure[[]1].tolerance is unknown: expected one of quantity, reference, when")])
+    ("quantity: curve", "quantity: solved_share", "20: measure[3].quantity is solved_share: expected *"),
+    (FORCE, FORCE + ", tolerance: 1", "18: measure[1].tolerance is unknown: expected one of quantity, reference, when")])
 def test_wrong_cases(measured, old, new, message):
     text = measured.read_text()
     assert old in text

@@ -1,10 +1,9 @@
 """A case whose scene is in SI units is solved as a dimensionless scene; its results are also in newton and metre."""
 
-import fnmatch
 import math
 
 import pytest
-from conftest import document, expect, load, run
+from conftest import document, expect, load, matches, run
 
 CASE = """
 name: si
@@ -103,8 +102,8 @@ BOTH = ("expected none of tabor, amplitude, wavelength, radius, outer_radius, th
     (2, "5: scene.physical.waves is *: expected only one of scene.physical.amplitude_m and scene.physical.waves",
      TIP + ', profile: "cone:0.3", amplitude_m: 1e-9, wavelength_m: 1e-8, waves: "1e-9@1e-8"', {}),
     (2, "8: scene.tabor is 1: " + BOTH, "modulus_pa: 1e9, " + BODY, {"scene": "  tabor: 1"}),
-    (2, "9: sweep[[]1].key is radius: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: radius, values: [50, 100]}]"}),
-    (2, "9: sweep[[]1].key is alpha: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: alpha, values: [1]}]"}),
+    (2, "9: sweep[1].key is radius: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: radius, values: [50, 100]}]"}),
+    (2, "9: sweep[1].key is alpha: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: alpha, values: [1]}]"}),
     (2, "5: scene.physical.modulus_pa is -1: expected a finite number > 0, or inf", "modulus_pa: -1, " + BODY, {}),
     (2, "5: scene.physical.modulus_pa is 1 GPa: expected a finite number > 0, or inf; a unit or other text follows the number", "modulus_pa: 1 GPa, " + BODY, {}),
     (2, "5: scene.physical.radius_m is missing: expected a finite number > 0, or two with a comma between; a scene in SI units has *",
@@ -153,7 +152,7 @@ def test_the_uncertainty_of_a_table_in_newtons(data):
     for columns, row, header in (("force_nN,force_uncertainty_nN", "7.87,0.16", "0"), ("force_nN,uncertainty", "7.87,0.16", "0"),
                                  ("force_nN,force_uncertainty_pN", "7.87,160", "0"), ("force_nN", "7.87", "0.16")):
         judge(data, 0, columns, [row], uncertainty=header, tolerance="0.0340", kind="abs")
-        data.message = ("cases/si.yaml:10: checks[[]1].tolerance is 0.0339: expected at least 0.0339530545262710*, the uncertainty of "
+        data.message = ("cases/si.yaml:10: checks[1].tolerance is 0.0339: expected at least 0.0339530545262710*, the uncertainty of "
                         "reference/table.csv")
         judge(data, 2, columns, [row], uncertainty=header, tolerance="0.0339", kind="abs")
 
@@ -268,17 +267,17 @@ def test_a_followed_series_in_si_units(data):
 
 @pytest.mark.parametrize("physical, sweep, message", [
     (REST + ", modulus_pa: 1e9, radius_m: 1e-8", "[{key: radius_m, values: [1e-8]}]",
-     "cases/swept.yaml:8: sweep[[]1].key is radius_m: expected a key that scene.physical does not give"),
+     "cases/swept.yaml:8: sweep[1].key is radius_m: expected a key that scene.physical does not give"),
     (REST + ", modulus_pa: 1e9", "[{key: radius_m, values: [1e-8]}, {together: [{radius_m: 2e-8}]}]",
-     "cases/swept.yaml:8: sweep[[]2].together is a list: expected each key swept once"),
-    (REST + ", modulus_pa: 1e9", "[{key: radius_m, values: [1e-8, -1]}]", "cases/swept.yaml:8: sweep[[]1].values[[]2] is -1: expected a finite number > 0*"),
-    (REST + ", modulus_pa: 1e9", "[{key: approach_m, values: [1e-8]}]", "cases/swept.yaml:8: sweep[[]1].key is approach_m: expected a key of the scene*"),
-    (REST + ", modulus_pa: 1e9", "[{key: tabor, values: [1]}]", "cases/swept.yaml:8: sweep[[]1].key is tabor: expected none of *"),
+     "cases/swept.yaml:8: sweep[2].together is a list: expected each key swept once"),
+    (REST + ", modulus_pa: 1e9", "[{key: radius_m, values: [1e-8, -1]}]", "cases/swept.yaml:8: sweep[1].values[2] is -1: expected a finite number > 0*"),
+    (REST + ", modulus_pa: 1e9", "[{key: approach_m, values: [1e-8]}]", "cases/swept.yaml:8: sweep[1].key is approach_m: expected a key of the scene*"),
+    (REST + ", modulus_pa: 1e9", "[{key: tabor, values: [1]}]", "cases/swept.yaml:8: sweep[1].key is tabor: expected none of *"),
     (REST + ", modulus_pa: 1e9", "[{table: no.csv}]", "*no.csv*")])
 def test_wrong_sweeps_in_si_units(data, physical, sweep, message):
     swept(data, physical, sweep)
     ended = run("plan swept")
-    assert ended.code in (2, 4) and fnmatch.fnmatchcase(ended.err.strip(), "pulloff: " + message), ended.err
+    assert ended.code in (2, 4) and matches(ended.err, "pulloff: " + message), ended.err
 
 
 def test_wrong_tables_of_parameter_sets(data):
@@ -287,10 +286,10 @@ def test_wrong_tables_of_parameter_sets(data):
                           ("radios\n1\n", "*sets.csv:1: the column radios is unknown: expected names of keys"),
                           ("radius_m\n1e-8\n1e-8\n", "*sets.csv: row 2: expected each setting once"),
                           ("radius_m\n", "*sets.csv has no rows: expected one for each point"),
-                          ("radius_m,tabor\n1e-8,1\n", "cases/swept.yaml:8: sweep[[]1].table is *sets.csv: expected none of tabor, *"),
+                          ("radius_m,tabor\n1e-8,1\n", "cases/swept.yaml:8: sweep[1].table is *sets.csv: expected none of tabor, *"),
                           ("radius_m\n-\n", "*sets.csv: row 1: expected keys of the scene")):
         (data.folder / "cases/sets.csv").write_text(text)
-        assert fnmatch.fnmatchcase(run("plan swept").err.strip(), "pulloff: " + message), run("plan swept").err
+        assert matches(run("plan swept").err, "pulloff: " + message), run("plan swept").err
 
 
 def test_tables_in_si_units_beside_a_sweep_of_units(data):

@@ -32,7 +32,7 @@ JUDGED = {"file": str, "function": str, "line": str, "becomes": str, "nth": int,
 KEY = ("file", "function", "line", "becomes", "nth")
 ENOUGH = 95  # per cent of the edits that are not equivalent
 
-# Exit status of a test that lacks a package, see tests/cli/adapters.sh: it passes, and catches nothing.
+# Exit status of a test that lacks a package, see tests/cli/protocol.py: it passes, and catches nothing.
 SKIPPED = 77
 
 # Limits of an edited program, which may request any amount: bytes of memory and of one file.
