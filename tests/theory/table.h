@@ -4,14 +4,17 @@
 
 #include <check.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "../unit/run.h"
 #include "po_csv.h"
 
 typedef struct {
   po_csv csv;
   size_t compared; /* how many numbers have been compared */
+  size_t left_out; /* rows that are of another kind */
   double worst;    /* greatest difference, in units of its tolerance */
   char where[80];  /* line and column of the greatest difference */
 } table;
@@ -44,6 +47,13 @@ static inline double table_number(const table *t, size_t row, const char *column
   return value;
 }
 
+/* Whether a row is of another kind than is asked for, and left out. */
+static inline bool table_leaves_out(table *t, size_t row, const char *kind) {
+  const bool other = strcmp(table_word(t, row, "kind"), kind) != 0;
+  t->left_out += other;
+  return other;
+}
+
 /* Tests the error of a number of a row. */
 static inline void table_judge(table *t, size_t row, const char *column, double error,
                                double tolerance) {
@@ -62,14 +72,26 @@ static inline void table_compare(table *t, size_t row, const char *column, doubl
   table_judge(t, row, column, fabs(obtained - table_number(t, row, column)), tolerance);
 }
 
-/* Closes the table. It must have `rows` rows, and each must have been compared `each` times. Prints
- * the greatest difference for the log of the test. */
+/* Closes the table. It must have `rows` rows but for those left out, and each must have been
+ * compared `each` times. Prints the greatest difference for the log of the test. */
 static inline void table_close(table *t, const char *what, size_t rows, size_t each) {
-  ck_assert_uint_eq(t->csv.row_count, rows);
+  ck_assert_uint_eq(t->csv.row_count - t->left_out, rows);
   ck_assert_uint_eq(t->compared, rows * each);
   printf("%s: %s: %zu numbers, at most %.3f of the tolerance (%s)\n", t->csv.path, what,
          t->compared, t->worst, t->where);
   po_csv_clear(&t->csv);
 }
+
+/* A test of every row of a table. The block that follows is that of one row, `row` of the table
+ * `t`. */
+#define ROWS_TEST(NAME, FILE, WHAT, ROWS, EACH)                                                    \
+  static void NAME##_in(table *t, size_t row);                                                     \
+  TEST(NAME) {                                                                                     \
+    table opened = table_open(FILE);                                                               \
+    for (size_t row = 0; row < opened.csv.row_count; ++row)                                        \
+      NAME##_in(&opened, row);                                                                     \
+    table_close(&opened, WHAT, ROWS, EACH);                                                        \
+  }                                                                                                \
+  static void NAME##_in(table *t, size_t row)
 
 #endif

@@ -10,33 +10,28 @@
 /* The tolerances that the headers state. */
 static const double MAUGIS_ACCURACY = 1e-14, RIGID_ACCURACY = 1e-13, RIGID_QUADRATURE = 1e-9;
 
-TEST(maugis_agrees_with_the_table) {
-  table t = table_open("maugis_profiles.csv");
-  for (size_t row = 0; row < t.csv.row_count; ++row) {
-    const po_scene s = scene_of(&t, row);
-    const double tension = table_number(&t, row, "tension"),
-                 a = table_number(&t, row, "contact_radius");
-    po_maugis got;
-    ck_assert_msg(po_maugis_at(&s, tension, a, &got) == PO_OK, "%s", po_message());
-    const po_contact size = terms_at(&s, a);
-    table_compare(&t, row, "load", got.contact.load, MAUGIS_ACCURACY * size.load);
-    table_compare(&t, row, "approach", got.contact.approach, MAUGIS_ACCURACY * size.approach);
-    table_compare(&t, row, "end_of_tension", got.end, MAUGIS_ACCURACY * got.end);
-    /* the rates by central differences */
-    po_maugis before, after;
-    const double h = 1e-4 * a;
-    double end_rate;
-    ck_assert(po_maugis_at(&s, tension, a - h, &before) == PO_OK);
-    ck_assert(po_maugis_at(&s, tension, a + h, &after) == PO_OK);
-    compare("load rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_LOAD, &got, &end_rate),
-            (after.contact.load - before.contact.load) / (2.0 * h), 1e-5 * size.load / a);
-    compare("approach rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_APPROACH, &got, &end_rate),
-            (after.contact.approach - before.contact.approach) / (2.0 * h),
-            1e-5 * size.approach / a);
-    compare("rate of the end", &s, a, end_rate, (after.end - before.end) / (2.0 * h),
-            1e-5 * got.end / a);
-  }
-  table_close(&t, "Maugis-Dugdale", 54, 3);
+ROWS_TEST(maugis_agrees_with_the_table, "maugis_profiles.csv", "Maugis-Dugdale", 54, 3) {
+  const po_scene s = scene_of(t, row);
+  const double tension = table_number(t, row, "tension"),
+               a = table_number(t, row, "contact_radius");
+  po_maugis got;
+  ck_assert_msg(po_maugis_at(&s, tension, a, &got) == PO_OK, "%s", po_message());
+  const po_contact size = terms_at(&s, a);
+  table_compare(t, row, "load", got.contact.load, MAUGIS_ACCURACY * size.load);
+  table_compare(t, row, "approach", got.contact.approach, MAUGIS_ACCURACY * size.approach);
+  table_compare(t, row, "end_of_tension", got.end, MAUGIS_ACCURACY * got.end);
+  /* the rates by central differences */
+  po_maugis before, after;
+  const double h = 1e-4 * a;
+  double end_rate;
+  ck_assert(po_maugis_at(&s, tension, a - h, &before) == PO_OK);
+  ck_assert(po_maugis_at(&s, tension, a + h, &after) == PO_OK);
+  compare("load rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_LOAD, &got, &end_rate),
+          (after.contact.load - before.contact.load) / (2.0 * h), 1e-5 * size.load / a);
+  compare("approach rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_APPROACH, &got, &end_rate),
+          (after.contact.approach - before.contact.approach) / (2.0 * h), 1e-5 * size.approach / a);
+  compare("rate of the end", &s, a, end_rate, (after.end - before.end) / (2.0 * h),
+          1e-5 * got.end / a);
 }
 
 /* The sphere at given load, pi w R, over lambda = 2 q (R/(pi w K^2))^(1/3), K = (4/3) E*, from the
@@ -89,27 +84,23 @@ TEST(maugis_with_deep_waves_is_refused) {
   ck_assert_ptr_nonnull(strstr(po_message(), "full disc"));
 }
 
-TEST(rigid_agrees_with_the_table) {
-  table t = table_open("rigid_profiles.csv");
-  for (size_t row = 0; row < t.csv.row_count; ++row) {
-    po_scene s = po_scene_default();
-    s.radius = strcmp(table_word(&t, row, "radius"), "-") == 0 ? 1.0 : 100.0;
-    s.tabor = 0.0;
-    ck_assert(po_profile_set(&s.profile, table_word(&t, row, "profile")));
-    ck_assert(po_law_set(&s.law, table_word(&t, row, "law")));
-    po_rigid_pull_off got;
-    ck_assert_msg(po_rigid_profile_pull_off(&s, &got) == PO_OK, "%s", po_message());
-    const double force = table_number(&t, row, "force");
-    table_compare(&t, row, "force", got.force, RIGID_ACCURACY * force);
-    table_compare(&t, row, "approach", got.approach, RIGID_ACCURACY);
-    double load, rate, other, other_rate;
-    ck_assert(po_rigid_profile_load(&s, 0.2, &load, &rate) == PO_OK);
-    ck_assert_msg(po_rigid_profile_quadrature(&s, 0.2, &other, &other_rate) == PO_OK, "%s",
-                  po_message());
-    compare("load", &s, 0.2, load, other, RIGID_QUADRATURE * force);
-    compare("rate", &s, 0.2, rate, other_rate, 10.0 * RIGID_QUADRATURE * force);
-  }
-  table_close(&t, "rigid bodies", 50, 2);
+ROWS_TEST(rigid_agrees_with_the_table, "rigid_profiles.csv", "rigid bodies", 50, 2) {
+  po_scene s = po_scene_default();
+  s.radius = strcmp(table_word(t, row, "radius"), "-") == 0 ? 1.0 : 100.0;
+  s.tabor = 0.0;
+  ck_assert(po_profile_set(&s.profile, table_word(t, row, "profile")));
+  ck_assert(po_law_set(&s.law, table_word(t, row, "law")));
+  po_rigid_pull_off got;
+  ck_assert_msg(po_rigid_profile_pull_off(&s, &got) == PO_OK, "%s", po_message());
+  const double force = table_number(t, row, "force");
+  table_compare(t, row, "force", got.force, RIGID_ACCURACY * force);
+  table_compare(t, row, "approach", got.approach, RIGID_ACCURACY);
+  double load, rate, other, other_rate;
+  ck_assert(po_rigid_profile_load(&s, 0.2, &load, &rate) == PO_OK);
+  ck_assert_msg(po_rigid_profile_quadrature(&s, 0.2, &other, &other_rate) == PO_OK, "%s",
+                po_message());
+  compare("load", &s, 0.2, load, other, RIGID_QUADRATURE * force);
+  compare("rate", &s, 0.2, rate, other_rate, 10.0 * RIGID_QUADRATURE * force);
 }
 
 /* Waves by quadrature: the sphere with one wave under Lennard-Jones against Eq 22; and 2 pi w R of

@@ -12,25 +12,21 @@
 static const double JKR_ACCURACY = 1e-14, PULL_OFF_ACCURACY = 1e-13, QUADRATURE_ACCURACY = 1e-11,
                     INTEGRAL_ACCURACY = 1e-12;
 
-TEST(jkr_agrees_with_the_table) {
-  table t = table_open("jkr_profiles.csv");
-  for (size_t row = 0; row < t.csv.row_count; ++row) {
-    const po_scene s = scene_of(&t, row);
-    const double a = table_number(&t, row, "contact_radius");
-    const char *kind = table_word(&t, row, "kind");
-    const bool is_point = strcmp(kind, "point") == 0;
-    po_contact got = po_jkr_profile_at(&s, a);
-    if (!is_point) {
-      const po_fixed fixed = strcmp(kind, "pull_off_load") == 0 ? PO_FIXED_LOAD : PO_FIXED_APPROACH;
-      ck_assert_msg(po_jkr_profile_pull_off(&s, fixed, &got) == PO_OK, "%s", po_message());
-    }
-    const po_contact size = terms_at(&s, a);
-    const double accuracy = is_point ? JKR_ACCURACY : PULL_OFF_ACCURACY;
-    table_compare(&t, row, "load", got.load, accuracy * size.load);
-    table_compare(&t, row, "approach", got.approach, accuracy * size.approach);
-    table_compare(&t, row, "contact_radius", got.contact_radius, PULL_OFF_ACCURACY * a);
+ROWS_TEST(jkr_agrees_with_the_table, "jkr_profiles.csv", "JKR of any profile", 280, 3) {
+  const po_scene s = scene_of(t, row);
+  const double a = table_number(t, row, "contact_radius");
+  const char *kind = table_word(t, row, "kind");
+  const bool is_point = strcmp(kind, "point") == 0;
+  po_contact got = po_jkr_profile_at(&s, a);
+  if (!is_point) {
+    const po_fixed fixed = strcmp(kind, "pull_off_load") == 0 ? PO_FIXED_LOAD : PO_FIXED_APPROACH;
+    ck_assert_msg(po_jkr_profile_pull_off(&s, fixed, &got) == PO_OK, "%s", po_message());
   }
-  table_close(&t, "JKR of any profile", 280, 3);
+  const po_contact size = terms_at(&s, a);
+  const double accuracy = is_point ? JKR_ACCURACY : PULL_OFF_ACCURACY;
+  table_compare(t, row, "load", got.load, accuracy * size.load);
+  table_compare(t, row, "approach", got.approach, accuracy * size.approach);
+  table_compare(t, row, "contact_radius", got.contact_radius, PULL_OFF_ACCURACY * a);
 }
 
 /* An independent route to the transform: g(x) = x times the integral of f'(x sin t) over t from 0

@@ -7,13 +7,9 @@
 /* The tolerance that the header states. */
 static const double RIGID_ACCURACY = 1e-10;
 
-TEST(rigid_pull_off_agrees_with_the_table) {
-  table t = table_open("rigid_pull_off.csv");
-  for (size_t row = 0; row < t.csv.row_count; ++row) {
-    const po_rigid_pull_off got =
-        po_wavy_rigid_pull_off(table_number(&t, row, "amplitude"), table_number(&t, row, "alpha"));
-    table_compare(&t, row, "force", got.force, RIGID_ACCURACY * table_number(&t, row, "force"));
-    table_compare(&t, row, "approach", got.approach, RIGID_ACCURACY);
-  }
-  table_close(&t, "pull-off of Eq 22", 153, 2);
+ROWS_TEST(rigid_pull_off_agrees_with_the_table, "rigid_pull_off.csv", "pull-off of Eq 22", 153, 2) {
+  const po_rigid_pull_off got =
+      po_wavy_rigid_pull_off(table_number(t, row, "amplitude"), table_number(t, row, "alpha"));
+  table_compare(t, row, "force", got.force, RIGID_ACCURACY * table_number(t, row, "force"));
+  table_compare(t, row, "approach", got.approach, RIGID_ACCURACY);
 }
