@@ -44,11 +44,6 @@ def tip(*without):
     ("--key is time-limit: *", "--key time-limit --from 1 --to 2"),
     ("--radius-m is 1e-07: expected it with --from-physical, *", "--key radius-m --from 1e-7 --to 2e-7"),
     ("--radius is 1: expected --radius-m, as the scene is in SI units", "--key radius --from 1 --to 2" + tip()),
-    ("--tabor is 1: expected it to be left out, *", "--key tabor --from 1 --to 2" + tip()),
-    ("--work-j-per-m2 is missing: expected *",
-     "--from-physical --key modulus-pa --from 1e9 --to 2e9 --radius-m 1e-7"),
-    ("--preload-load is 2: expected --preload-load-n, as the scene is in SI units",
-     "--key radius-m --from 1e-7 --to 2e-7 --preload-load 2" + tip()),
     ("--modulus-pa is -1: expected *", "--from-physical --key radius-m --from 1e-7 --to 2e-7 --modulus-pa -1")])
 def test_wrong_command_lines(message, words):
     expect(2, "pulloff: " + message, "follow " + words)

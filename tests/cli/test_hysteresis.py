@@ -64,8 +64,6 @@ def test_the_record_and_one_that_is_made_from_it():
 
 @pytest.mark.parametrize("code, message, words", [
     (2, "--preload-load is -1: expected a finite number >= 0", "--preload-load -1"),
-    (2, "--preload-load is 1: expected --preload-load-n, as the scene is in SI units",
-     "--from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --preload-load 1"),
     (2, "--approach-end is 0.5: expected at least the preload, 0.7", "--approach-end 0.5 --preload 0.7"),
     (3, "the solve failed: the trace ended at approach 0.5, load *, before the load 7 was reached; expected a greater approach_end; the deepest minimum of the load so far, *",
      "--tabor 2.385 --approach-end 0.5 --preload-load 7")])

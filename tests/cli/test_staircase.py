@@ -73,7 +73,6 @@ def test_the_preload_decides_whatever_the_option(preload, force):
 
 @pytest.mark.parametrize("code, message, words", [
     (3, "the solve failed: the load has no minimum up to the preload, approach -9: *", SCENE + "--preload -9"),
-    (2, "the solve failed: --preload is 3: expected less than 1, the greatest approach of rigid bodies", "solve --tabor 0 --preload 3"),
     (2, "--preload is inf beside --preload-load: expected one of both", "solve --preload inf --preload-load 3"),
     (2, "--preload is inf: expected a finite number for the hysteresis*", "solve --preload inf --want hysteresis"),
     (2, "--preload is -inf: expected a finite number, or inf", "solve --preload -inf"),

@@ -3,7 +3,6 @@
 
     staircase.py --count 200                  every step of a scene against two loops, reversed just below and above it
     staircase.py --count 200 --scenes 17,40-44   only these of the drawn scenes
-    staircase.py --energies --count 40        the energies lost of every cycle against those of a tighter, denser branch
     staircase.py --complete --count 500       scenes in which no harder preload gives more, against a trace twice as far
 
 Prints how often the statements hold, and each violation with the commands that repeat it. Solutions are kept, so that
@@ -26,15 +25,12 @@ ORDER = ("force", "approach", "energy lost")
 def arguments(args):
     parser = options.parser_of(__doc__, "staircase.jsonl", 200, (1e-4, 1e-6))
     parser.add_argument("--complete", action="store_true", help="whether no harder preload gives more")
-    parser.add_argument("--energies", action="store_true", help="the energies lost, against a denser branch")
     parser.add_argument("--most", type=int, default=6, metavar="N",
                         help="at most so many preloads of a scene are looked at on both sides, of each control")
     options.add_ranges(parser, {"tabor": (0.1, 5.0), "radius": (30.0, 100.0), "wavelength": (1.0, 6.0),
                                 "amplitude": (0.003, 0.5), "outer": (0.25, 1.0)},
                        {"smooth": 0.05, "cut": 0.5, "at-radius": 0.5})
     wanted = parser.parse_args(args)
-    if wanted.complete and wanted.energies:
-        parser.error("--complete and --energies are given: expected one of them")
     if wanted.tight >= wanted.loose:
         parser.error(f"--tight {wanted.tight:g}: expected less than --loose {wanted.loose:g}")
     if wanted.most < 2:
@@ -93,28 +89,6 @@ class Steps(Task):
                 self.ties += beside.tie
 
 
-class Energies(Task):
-    """Compares the energies lost with those on a branch that is tighter and, since loops are wanted, denser."""
-
-    def compare(self, journal, wanted):
-        dense = self.other(journal, dict(self.scene, want="preload,hysteresis"), wanted.tight)
-        if dense["status"] != "ok" or not dense.get("staircase"):
-            return
-        for control in steps.CONTROLS:
-            pairs = zip(self.staircase["staircase"][control.name]["steps"], dense["staircase"][control.name]["steps"])
-            for number, (ours, theirs) in enumerate(pairs):
-                self.add_cycles(f" (step {number + 1}, {control.name})", ours["cycles"], theirs["cycles"])
-
-    def add_cycles(self, where, ours, theirs):
-        """The cycles of a step with the same jumps. A cycle without a jump loses nothing."""
-        for one, other in zip(ours, theirs) if len(ours) == len(theirs) else ():
-            if one["jumps"] == other["jumps"] and one["jumps"] and None not in (one["energy_lost"], other["energy_lost"]):
-                self.findings.append(compare.Finding(
-                    "energy lost", where, compare.value(one, "energy_lost_error_estimate"),
-                    abs(one["energy_lost"] - other["energy_lost"]),
-                    compare.value(other, "energy_lost_error_estimate")))
-
-
 class Complete(Task):
     """Compares the greatest pull-off over all preloads with a trace twice as far."""
 
@@ -139,7 +113,7 @@ class Complete(Task):
 
 
 def tasks_of(wanted):
-    kind = Complete if wanted.complete else Energies if wanted.energies else Steps
+    kind = Complete if wanted.complete else Steps
     return [kind(f"scene {k}", draw.scene(wanted.seed, k, vars(wanted)))
             for k in (wanted.scenes if wanted.scenes is not None else range(wanted.count))]
 
@@ -151,8 +125,7 @@ def counts(words):
 def lines(tasks, wanted):
     """The lines about all scenes together."""
     yield (f"{len(tasks)} scenes by seed {wanted.seed}, staircases at {wanted.loose:g}, "
-           + ("traced twice as far" if wanted.complete else
-              f"{'energies' if wanted.energies else 'loops'} at {wanted.tight:g}")
+           + ("traced twice as far" if wanted.complete else f"loops at {wanted.tight:g}")
            + f": {sum(task.is_compared for task in tasks)} compared")
     failed = [one for task in tasks for one in task.failed]
     if failed:
@@ -167,19 +140,10 @@ def lines(tasks, wanted):
         if seconds:
             yield (f"seconds of a staircase: median {table.quantile(seconds, 0.5):.3g}, 90 % "
                    f"{table.quantile(seconds, 0.9):.3g}, most {seconds[-1]:.3g}")
-    elif wanted.energies:
-        true = sorted(f.difference for task in tasks for f in task.findings)
-        if true:
-            yield f"median difference of the energies {table.quantile(true, 0.5):.2g}"
     else:
         yield (f"steps {sum(number_of_steps(task) for task in tasks)}, loops {sum(len(task.others) for task in tasks)}, "
                f"of these {sum(task.ties for task in tasks)} with a tension at reversal as great within the errors")
-    yield from table.grid([f for task in tasks for f in task.findings], order_of(wanted))
-
-
-def order_of(wanted):
-    """The quantities of the table."""
-    return ORDER[:1] if wanted.complete else ORDER[2:] if wanted.energies else ORDER
+    yield from table.grid([f for task in tasks for f in task.findings], ORDER[:1] if wanted.complete else ORDER)
 
 
 def number_of_steps(task):
