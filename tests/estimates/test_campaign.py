@@ -3,17 +3,13 @@
 import json
 import os
 import subprocess
-import sys
 import unittest
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
-
-import campaign  # noqa: E402
-import compare  # noqa: E402
-import draw  # noqa: E402
-import made_up  # noqa: E402
-import reference  # noqa: E402
+import campaign
+import compare
+import draw
+import made_up
+import reference
 
 # A program whose true errors are FAULT times those that it states, and which fails at Tabor parameters above 9. It
 # records each call in the file CALLS.
@@ -110,7 +106,6 @@ class Comparisons(unittest.TestCase):
         faint = [mark("jump_in", -0.5, -0.3, position=3.0), mark("jump_out", -0.50005, -0.3, position=4.0)]
         self.assertEqual(self.check(document(), tight(folds=faint), 0).faint, 2)
         self.check(document(error=1e-5), tight(folds=faint), 2)
-
 
 
 class Draws(unittest.TestCase):

@@ -1,16 +1,11 @@
 """Tests of the comparison of energies: a state on a known curve, and what it must find."""
 
 import math
-import os
-import sys
 import tempfile
 import unittest
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
-
-import draw  # noqa: E402
-import energies  # noqa: E402
+import draw
+import energies
 
 
 def curve(count):

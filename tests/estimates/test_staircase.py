@@ -2,15 +2,11 @@
 
 import json
 import os
-import sys
 import unittest
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
-
-import made_up  # noqa: E402
-import staircase  # noqa: E402
-import steps  # noqa: E402
+import made_up
+import staircase
+import steps
 
 # A program with a minimum of the load at approach -1, a jump of loading at approach 5 and load 2, and a greater
 # pull-off beyond the jump. Before the jump the load falls from a maximum of 2.1 at approach 4; at approach 4.9 it falls

@@ -3,17 +3,14 @@ of judged edits can be read."""
 
 import collections
 import os
-import sys
 import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
-
-import draw  # noqa: E402
-import edits  # noqa: E402
-import plant  # noqa: E402
-import tokens  # noqa: E402
+import draw
+import edits
+import plant
+import tokens
 
 STATUSES = ["PO_OK", "PO_LATE", "PO_LOST", "PO_FULL"]
 

@@ -10,18 +10,14 @@ import html.parser
 import json
 import os
 import re
-import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
-
-import quickly  # noqa: E402
-import synthetic  # noqa: E402
-from make_report import refusing  # noqa: E402
-from pulloff_report import claims, cost, errors, faults, page, records, references  # noqa: E402
+import quickly
+import synthetic
+from make_report import refusing
+from pulloff_report import claims, cost, errors, faults, page, records, references
 
 # A macron at the beginning, which becomes a line over the letter before it; an element and an attribute; what gnuplot, matplotlib
 # or a shell would read as a command, with a new line and a bell; and more characters than a line of gnuplot has.

@@ -12,10 +12,8 @@ import tempfile
 import tomllib
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-
-import quickly  # noqa: E402
-import synthetic  # noqa: E402
+import quickly
+import synthetic
 
 TREE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 RUN = os.path.join(TREE, "reports", "claims", "run.py")

@@ -1,16 +1,12 @@
 """What the report cannot use is refused in one line that names it, with exit code 4 (2: usage)."""
 
 import os
-import sys
 import tempfile
 import unittest
 from unittest import mock
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
-
-import quickly  # noqa: E402
-import synthetic  # noqa: E402
+import quickly
+import synthetic
 
 
 RECORD = "fig03/record.json"

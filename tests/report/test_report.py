@@ -15,11 +15,9 @@ from html import unescape
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 REPORTS = os.path.join(HERE, "..", "..", "reports")
-sys.path.insert(0, HERE)
-
-import quickly  # noqa: E402
-import synthetic  # noqa: E402
-from pulloff_report import errors, faults, page, plots, records, references, tree_tests  # noqa: E402
+import quickly
+import synthetic
+from pulloff_report import errors, faults, page, plots, records, references, tree_tests
 
 PRINTED = ("Figures of the paper", "Error against run time", "Cost of an equilibrium", "Extreme scenes", "Checks by case", "Environment")
 SCREEN_ONLY = ("Planted faults", "Every check", "Every case and how to repeat it", "Reference data")
@@ -420,12 +418,8 @@ class Parts(PageTest):
     def test_slack_checks_are_notable(self):
         def maker(run):
             synthetic.make_fig04(run)
-            path = os.path.join(run, "fig04", "record.json")
-            with open(path, encoding="utf-8") as stream:
-                record = json.load(stream)
-            for check in record["checks"][:2]:
-                check.update(verdict="slack")
-            synthetic.checksum.write(path, record)
+            synthetic.change(os.path.join(run, "fig04", "record.json"),
+                             lambda record: [check.update(verdict="slack") for check in record["checks"][:2]])
 
         with made_up(maker) as folder:
             text = plain(page_of(folder))
@@ -445,12 +439,8 @@ class Parts(PageTest):
         def allowed(run):
             synthetic.make_run(run, failed=True)
             for name in ("fig04", "precision"):
-                path = os.path.join(run, name, "record.json")
-                with open(path, encoding="utf-8") as stream:
-                    record = json.load(stream)
-                for point in record["points"]:
-                    point["failed"] = False
-                synthetic.checksum.write(path, record)
+                synthetic.change(os.path.join(run, name, "record.json"),
+                                 lambda record: [point.update(failed=False) for point in record["points"]])
         with made_up(allowed) as folder:
             text = plain(page_of(folder))
         self.has(text, "2 checks without a result.", "tabor=2.5: the solve ended with step too small")
