@@ -36,7 +36,7 @@ def pytest_collection_modifyitems(config, items):
     if config.getoption("--few"):
         first = {}
         items[:] = [item for item in items if not item.get_closest_marker("once") and (
-            first.setdefault(item.originalname, item) is item or "message" in item.callspec.params)]
+            first.setdefault((item.path, item.originalname), item) is item or "message" in item.callspec.params)]
 
 
 @dataclasses.dataclass
