@@ -82,12 +82,14 @@ def write_body(path):
 
 def test_named_pipes(good):
     """A named pipe that no other program has opened was waited for, without end, and signals did not end it."""
-    os.mkfifo("pipe")
+    for name in "pipe", "other":
+        os.mkfifo(name)
     lonely = "is a pipe that no program has opened for writing in 5 s: expected a file, or a pipe with a writer, which is read once"
-    waiting = [subprocess.Popen(words_of(words), stderr=subprocess.PIPE, text=True)
-               for words in (SOLVE + " --profile-file pipe", "run ./pipe --output run")]
-    for process, name in zip(waiting, ("pipe", "./pipe")):
-        assert process.communicate()[1] == f"pulloff: {name} {lonely}\n" and process.returncode == 4
+    waiting = [subprocess.Popen(words_of(words), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+               for words in (SOLVE + " --profile-file pipe", "run ./other --output run")]
+    for process, name in zip(waiting, ("pipe", "./other")):
+        said = process.communicate()[1]
+        assert (process.returncode, said) == (4, f"pulloff: {name} {lonely}\n")
     expect(4, "pulloff: pipe cannot be written: no program has opened it for reading", SOLVE + " --curve pipe")
     # A pipe with a writer is a file.
     write_body("table.csv")
