@@ -105,9 +105,9 @@ void pulloff_scene_destroy(pulloff_scene *scene);
  * in epsilon; inf is the unbounded half-space (default inf)". They are the options of `pulloff
  * solve` with _ for -, and dimensionless groups such as amplitude_ratio, each of which sets another
  * key when the scene is solved. Three more are of this library: `want`, the additional results, any
- * of curve, profile, hysteresis, diagnostics, preload, theories and loop with commas between; and
- * `profile_approach` and `profile_load`, approach or load of the profile in epsilon or pi w R.
- * Returned: NULL if there is no key of this number. */
+ * of curve, profile, hysteresis, diagnostics, preload, theories, loop and history with commas
+ * between; and `profile_approach` and `profile_load`, approach or load of the profile in epsilon
+ * or pi w R. Returned: NULL if there is no key of this number. */
 size_t pulloff_key_count(void);
 const char *pulloff_key_name(size_t number);
 const char *pulloff_key_expected(size_t number);

@@ -2,9 +2,10 @@
 written."""
 
 import os
+import re
 
 import pytest
-from conftest import edit, expect
+from conftest import ROOT, edit, expect, run
 
 FINITE = "expected a finite number > 0"
 CHECK = "checks[1].{} is {}: expected {}"
@@ -35,6 +36,18 @@ def test_infinity_and_byte_order_mark(good):
         expect(0, "*good: 1 point, 1 check: within*", "run --output out")
 
 
+def test_every_quantity_is_offered(good):
+    """The message named a quantity that does not exist. Those of the table in doc/cases.md exist and are offered."""
+    edit(good.file, "pull_off_force", "nothing")
+    offered = run("plan good").err.rpartition("expected ")[2].strip().replace(" or ", ", ").split(", ")
+    rows = re.findall(r"^\| (`[^|]*`) \|", (ROOT / "doc" / "cases.md").read_text().partition("| quantity |")[2].partition("\n\n")[0], re.MULTILINE)
+    assert sorted(offered) == sorted(name for row in rows for name in re.findall("`(.*?)`", row))
+    for name in offered:
+        edit(good.file, "nothing" if name == offered[0] else previous, name)
+        previous = name
+        assert "quantity is" not in run("plan good").err
+
+
 # message, and pairs of what is replaced and by what
 SCENE = [
     *((f"8: scene.outer_radius is {said}: {FINITE}, or inf", "outer_radius: inf", "outer_radius: " + value)
@@ -58,9 +71,9 @@ KEYS = [
     ("1: name is missing: expected letters, digits, _ and -", "name: good\n", ""),
     ("1: name is ../good: expected letters, digits, _ and -", "good", "../good"),
     ("1: name is solvers: expected another name: records of external solvers are in this folder", "good", "solvers"),
-    (f"*: want is missing: expected a list of {WANTED}, loop", "want: [pull_off]\n", ""),
+    (f"*: want is missing: expected a list of {WANTED}, loop, history", "want: [pull_off]\n", ""),
     ("11: want is pull_off: expected a list of pull_off, *", "[pull_off]", "pull_off"),
-    (f"11: want[1] is pudding: expected {WANTED} or loop", "[pull_off]", "[pudding]"),
+    (f"11: want[1] is pudding: expected {WANTED}, loop or history", "[pull_off]", "[pudding]"),
     ("11: want is a list: expected a list of pull_off, *", "[pull_off]", "[]"),
     ("11: want[2] is a list: expected a list of pull_off, *", "[pull_off]", "[pull_off, [folds]]"),
     ("3: suites[2] is des,sert: expected letters, digits, _ and -", "[smoke]", '[smoke, "des,sert"]'),

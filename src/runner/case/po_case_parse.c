@@ -47,7 +47,7 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
     if (!want)
       return po_fields_refuse(yaml,
                               "pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, "
-                              "preload, theories or loop",
+                              "preload, theories, loop or history",
                               "want[%u]", i + 1);
     kase->want |= want | (want == PO_WANT_LOOP ? PO_WANT_HYSTERESIS : 0U);
   }

@@ -145,7 +145,7 @@ const po_field PO_CASE_FIELDS[] = {
     OPTIONAL_TEXT("repeats", po_case_file, repeats_text, "a whole number from 1 to 1000"),
     TEXTS("want", po_case_file, want_names,
           "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload, "
-          "theories, loop"),
+          "theories, loop, history"),
     OPTIONAL_LIST("checks", po_case_file, checks, CHECK, "a list of checks"),
     OPTIONAL_LIST("lines", po_case_file, lines, LINE, "a list of {name, theory, sweep}"),
     OPTIONAL_LIST("measure", po_case_file, measure, MEASURE, "a list of {quantity, reference}"),
