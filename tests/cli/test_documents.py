@@ -11,7 +11,8 @@ import conftest
 from conftest import ROOT, expect
 
 HERE = pathlib.Path(__file__).resolve().parent
-FOLDERS = ("doc", "cases", "reference", "reports", "tests")
+FOLDERS = ("doc", "src", "cases", "reference", "reports", "tests", "python")
+PAGES = [*ROOT.glob("*.md"), *(page for folder in FOLDERS for page in (ROOT / folder).rglob("*.md"))]
 
 
 def test_the_example_of_a_case(monkeypatch):
@@ -37,18 +38,18 @@ def anchors(page):
 
 
 def test_links():
-    pages = [*ROOT.glob("*.md"), *(page for folder in FOLDERS for page in (ROOT / folder).rglob("*.md"))]
     wrong = []
-    for page in pages:
+    for page in PAGES:
         for target, anchor in re.findall(r"\]\(([^)#\s]*)(?:#([^)]*))?\)", text_of(page)):
             other = page.parent / target if target else page
             if "://" not in target and (not other.exists() or (anchor and anchor not in anchors(other))):
                 wrong.append(f"{page.relative_to(ROOT)}: {target}#{anchor}")
-    assert not wrong and len(pages) >= 8
+    assert not wrong and len(PAGES) >= 8
 
 
 def functions_elsewhere(page):
-    """Rows that name functions and the file that defines them, which it does not."""
+    """Functions that are not in the file or folder that has them by the page: in a row that names functions and one file, or `NAME` in
+    `PLACE`."""
     for line in page.read_text().splitlines():
         cells = [re.findall("`([^`]+)`", cell) for cell in line.split("|")[1:3]]
         paths = [ROOT / "src" / word for word in cells[1] if word.endswith(".c")] if len(cells) == 2 else []
@@ -56,14 +57,20 @@ def functions_elsewhere(page):
             text = paths[0].read_text()
             yield from (f"{page.name}: {word} is not in {paths[0].name}" for word in cells[0]
                         if re.fullmatch(r"po_\w+", word) and not re.search(rf"\b{word}\(", text))
+    for word, place in re.findall(r"`(po_\w+)` (?:in |\()`(?:src/)?([\w/]+(?:\.c)?)`", page.read_text()):
+        path = ROOT / "src" / place
+        paths = path.rglob("*.c") if path.is_dir() else (ROOT / "src").rglob(place)
+        if not any(re.search(rf"^\w.*\b{word}\(", path.read_text(), re.M) for path in paths):
+            yield f"{page.name}: {word} is not in {place}"
 
 
-def names_nothing(word, source, files):
-    """Whether a word is the name of a function, path or file that does not exist."""
+def names_nothing(word, page, source, files):
+    """Whether a word of a page is the name of a function, path or file that does not exist."""
     if re.fullmatch(r"po_\w+|PO_[A-Z_]+", word):
         return not re.search(rf"\b{word}\b", source)
     if re.fullmatch(r"(?:[\w.-]+/)+[\w.-]+\.(?:[chp]|py|sh|gp|md|toml|txt|build|csv)", word):
-        return "NAME" not in word and not word.startswith(("build/", "my/")) and not any((ROOT / folder / word).exists() for folder in (".", "src"))
+        folders = (ROOT, ROOT / "src", ROOT / "reports/pulloff_report", page.parent)
+        return "NAME" not in word and not word.startswith(("build/", "my/")) and not any((folder / word).exists() for folder in folders)
     return bool(re.fullmatch(r"(?:po|test)_\w+\.[ch]", word)) and word not in files
 
 
@@ -71,9 +78,12 @@ def test_names():
     source = "\n".join(path.read_text() for path in (ROOT / "src").rglob("*.[ch]"))
     files = {path.name for folder in ("src", "tests") for path in (ROOT / folder).rglob("*.*")}
     wrong = []
-    for page in (ROOT / "doc").glob("*.md"):
+    for page in PAGES:
+        if page.name == "CHANGELOG.md": # it names what there was
+            continue
         wrong += functions_elsewhere(page)
-        wrong += [f"{page.name}: {word}" for word in re.findall("`([^`\n]+)`", page.read_text()) if names_nothing(word, source, files)]
+        wrong += [f"{page.relative_to(ROOT)}: {word}" for word in re.findall("`([^`\n]+)`", page.read_text())
+                  if names_nothing(word, page, source, files)]
     modules = {str(path.parent.relative_to(ROOT / "src")) for path in (ROOT / "src").rglob("*.c")}
     table = set(re.findall(r"^\| `([\w/]+)` \|", (ROOT / "src/README.md").read_text(), re.M))
     assert not wrong and modules == table
