@@ -19,10 +19,11 @@ import time
 from draw import between, uniform
 
 RANGES = {"tabor": (10, 1e4), "radius": (1e4, 1e7), "length": (0.13, 3), "alpha": (0.05, 5), "load": (0.1, 10)}
+SMALL = {"tabor": (20, 400), "radius": (1e4, 3e5), "length": (0.2, 3)}
 
 
-def scene(seed, index):
-    tabor, radius, length, alpha, load = (between(bounds, uniform(seed, index, name)) for name, bounds in RANGES.items())
+def scene(seed, index, ranges):
+    tabor, radius, length, alpha, load = (between(bounds, uniform(seed, index, name)) for name, bounds in ranges.items())
     wavelength = float(f"{length * math.sqrt(radius * tabor):.6g}")
     amplitude = float(f"{alpha * wavelength**2 / radius:.6g}")
     return {"tabor": tabor, "radius": radius, "amplitude": amplitude, "wavelength": wavelength, "preload-load": load}
@@ -105,13 +106,14 @@ def main():
     parser.add_argument("--tolerance", type=float, default=1e-4)
     parser.add_argument("--time-limit", type=float, default=20)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--small", action="store_true", help="less soft and less large spheres: most are solved with both ranges")
     parser.add_argument("--solved", action="store_true")
     parser.add_argument("--loops", action="store_true")
     parser.add_argument("--staircases", action="store_true")
     parser.add_argument("--minutes", type=float, default=math.inf, help="no scene is begun later than this (no limit)")
     wanted = parser.parse_args()
     kinds = ["auto"] if wanted.solved else ["exact", "reduced"]
-    scenes = [scene(wanted.seed, index) for index in range(wanted.count)]
+    scenes = [scene(wanted.seed, index, {**RANGES, **(SMALL if wanted.small else {})}) for index in range(wanted.count)]
     end = time.monotonic() + 60.0 * wanted.minutes
 
     def solve_all(flags):
