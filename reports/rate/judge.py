@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Judges the published table of viscoelastic pull-offs, row by row, and looks for the causes of what is off.
 
-    judge.py PROGRAM FOLDER OUTPUT [--sample N --seed S] [--jobs N] [--seconds S]
+    judge.py PROGRAM FOLDER OUTPUT [--sample N --seed S] [--coarse N] [--jobs N] [--seconds S]
 
 Solves the rows (solve_rows.py, which keeps results) and writes OUTPUT/table.json for the report. A row is off if its
 force differs by more than 0.1 % from ours and by more than our stated error. Each row that is off has the first cause
@@ -13,12 +13,18 @@ that is shown for it:
     cut         the relaxed contact reaches R, or our surface, cut at R, halves the difference
     none shown  nothing of this
 
+Of the rows without a cause --coarse N are drawn, and solved by an independent march of first order with constant steps
+(reference/make/coarse_steps.py): whether some step from 0.05 to 0.4 epsilon leads to the force of the table.
+
 Exit code: 0 judged, 2 wrong usage, 3 a solve failed."""
 
 import argparse
 import collections
 import json
+import multiprocessing
+import os
 import pathlib
+import random
 import statistics
 import sys
 
@@ -29,6 +35,8 @@ HERTZ = 1.5  # the unit of the force in the table, over pi w R
 ANY = 1e300  # an upper edge: JSON has no infinity
 NEAR_THE_END = 0.7  # of R: contacts that are wider are solved again on a surface that is cut at R
 CAUSES = ("repeated", "falls", "cut", "none shown")
+STEPS = (0.1, 0.2, 0.05, 0.3, 0.4)  # of the coarse marches, epsilon, in the order in which they are made
+SAME = 1e-3  # of a force that a step leads to
 
 
 def force_of(row):
@@ -85,6 +93,49 @@ class Table:
         return "cut" if cut is not None and abs(cut) < 0.5 * abs(self.difference(row)) else "none shown"
 
 
+def coarse_force(row_and_step):
+    """The force of a row by a march with a coarse step; None: it does not converge."""
+    row, step = row_and_step
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "reference" / "make"))
+    import coarse_steps  # numpy and scipy are needed for this alone
+    try:
+        test = coarse_steps.smooth(row["mu"], f"gamma:{row['k']};{row['n']}", row["alphaload"], repr(-float(row["runload"])))
+        return coarse_steps.greatest_tension(test, step)
+    except coarse_steps.NotConverged:
+        return None
+
+
+def coarse_step(steps, forces, ours, wanted):
+    """The step that leads to a force, by straight lines between the steps that were made and our force at the step 0; None: there
+    is none between them. A step that does not converge ends the lines."""
+    made = sorted(zip(steps, forces))
+    points = [(0.0, ours)] + made[:next((k for k, (_, force) in enumerate(made) if force is None), len(made))]
+    for (low, first), (high, last) in zip(points, points[1:]):
+        if min(first, last) <= wanted <= max(first, last):
+            return low if first == last else low + (high - low) * (wanted - first) / (last - first)
+    near = min(points[1:], key=lambda point: abs(point[1] / wanted - 1.0), default=None)
+    return near[0] if near and abs(near[1] / wanted - 1.0) <= SAME else None
+
+
+def march_coarsely(table, rows, jobs):
+    """What coarse marches of some rows show: how many rows have a step that leads to their force, of those above and below ours; the
+    median step of those above."""
+    forces, found = {index: [] for index in range(len(rows))}, {}
+    with multiprocessing.Pool(jobs) as pool:
+        for k, step in enumerate(STEPS):
+            left = [index for index in forces if index not in found]
+            for index, force in zip(left, pool.imap(coarse_force, [(rows[index], step) for index in left])):
+                forces[index].append(force)
+                at = coarse_step(STEPS[:k + 1], forces[index], float(table.ours(rows[index])["force"]), force_of(rows[index]))
+                if at is not None:
+                    found[index] = at
+    above = [index for index, row in enumerate(rows) if table.difference(row) > 0.0]
+    steps = [found[index] for index in above if index in found]
+    return {"rows": len(rows), "shown": len(found), "above": len(above), "above_shown": len(steps),
+            "step": statistics.median(steps) if steps else None}
+
+
 def shares(differences):
     """Number of rows, the parts within each limit, median and extremes of the differences."""
     found = {"rows": len(differences)}
@@ -104,7 +155,7 @@ def by(rows, table, number, edges):
     return ranges
 
 
-def judge(table):
+def judge(table, coarse, seed, jobs):
     solved = [row for row in table.rows if table.ours(row)]
     off = [row for row in solved if table.is_off(row)]
     causes = {name: [] for name in CAUSES}
@@ -117,12 +168,14 @@ def judge(table):
     def way(row):
         return float(row["alphaload"]) - float(table.ours(row)["approach"])
 
+    asked = random.Random(seed).sample(left, min(coarse, len(left)))
     worst = sorted(off, key=lambda row: -abs(table.difference(row)))[:12]
     return {
         "schema": "pulloff-rate/1", "rows": len(table.rows), "solved": len(solved), "limits": LIMITS, "off": len(off),
         "all": shares([table.difference(row) for row in solved]),
         "causes": {name: {"above": sum(table.difference(row) > 0.0 for row in of),
                           **shares([table.difference(row) for row in of])} for name, of in causes.items()},
+        "coarse_steps": march_coarsely(table, asked, jobs),
         "none_shown_beyond": [sum(abs(table.difference(row)) > limit for row in left) for limit in LIMITS],
         "by_radius": by(solved, table, lambda row: float(table.ours(row)["preload_radius"]) / RADIUS,
                         (0.0, 0.2, 0.4, 0.7, 1.0, ANY)),
@@ -166,6 +219,12 @@ def describe(found):
         yield line(f"  {name}, {of['above']} of them above", of)
     beyond = found["none_shown_beyond"]
     yield f"no cause is shown for {beyond[0]} rows beyond 0.1 %, {beyond[1]} beyond 1 %, {beyond[2]} beyond 3 %"
+    coarse = found["coarse_steps"]
+    if coarse["rows"]:
+        below, below_shown = coarse["rows"] - coarse["above"], coarse["shown"] - coarse["above_shown"]
+        yield (f"{coarse['rows']} of these were marched with constant steps of 0.05 to 0.4 eps: one of them leads to the force of "
+               f"{coarse['above_shown']} of {coarse['above']} rows above ours"
+               + (f" ({coarse['step']:.2g} eps in the median)" if coarse["step"] else "") + f" and of {below_shown} of {below} below")
     seconds = found["seconds"]
     yield f"{seconds['sum']:.0f} s in all; a row {seconds['median']:.2f} s in the median, {seconds['greatest']:.1f} s at most"
 
@@ -177,6 +236,7 @@ def main():
     parser.add_argument("output")
     parser.add_argument("--sample", type=int, help="number of rows that are drawn (default: all)")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--coarse", type=int, default=100, help="number of rows without a cause that are marched with coarse steps (100)")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seconds", type=float, default=float("inf"), help="time after which no further row is begun")
     given = parser.parse_args()
@@ -188,7 +248,7 @@ def main():
     wide = [row for row in rows if table.ours(row) and table.is_off(row) and
             NEAR_THE_END * RADIUS <= float(table.ours(row)["preload_radius"]) < RADIUS]
     table.known = solve_all(given.program, [scene(row, f"{RADIUS:g}") for row in wide], store, given.jobs, given.seconds)
-    found = judge(table)
+    found = judge(table, given.coarse, given.seed, given.jobs)
     pathlib.Path(given.output, "table.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     for line in describe(found):
         print(line)

@@ -1,5 +1,6 @@
 """The judgement of the published table of viscoelastic pull-offs: verdicts, and the cause that is shown for each row."""
 
+import csv
 import json
 import os
 import pathlib
@@ -10,7 +11,8 @@ import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-RATE = os.path.join(HERE, "..", "..", "reports", "rate")
+TREE = os.path.join(HERE, "..", "..")
+RATE = os.path.join(TREE, "reports", "rate")
 sys.path.insert(0, RATE)
 
 import judge  # noqa: E402
@@ -50,7 +52,7 @@ class Judged(unittest.TestCase):
         pathlib.Path(self.folder.name, "comb_1to9.csv").write_text("\n".join(lines) + "\n")
 
     def judge(self, *options):
-        words = [sys.executable, os.path.join(RATE, "judge.py"), self.program, self.folder.name, self.folder.name, *options]
+        words = [sys.executable, os.path.join(RATE, "judge.py"), self.program, self.folder.name, self.folder.name, "--coarse", "0", *options]
         ended = subprocess.run(words, capture_output=True, text=True, check=False)
         return ended, json.loads(pathlib.Path(self.folder.name, "table.json").read_text())
 
@@ -85,6 +87,25 @@ class Judged(unittest.TestCase):
     def test_a_sample(self):
         _, found = self.judge("--sample", "4", "--seed", "3")
         self.assertEqual(found["rows"], 4)
+
+    def test_the_step_that_leads_to_a_force(self):
+        for wanted, forces, step in ((3.1, (3.2, 3.4), 0.05), (3.3, (3.2, 3.4), 0.15), (2.9, (3.2, 3.4), None), (3.3, (3.2, None), None),
+                                     (2.9, (2.5, 2.9), 0.02), (3.201, (3.2, None), 0.1), (3.1, (None, 3.2), None)):
+            found = judge.coarse_step((0.1, 0.2), forces, 3.0, wanted)
+            self.assertEqual(found is None, step is None, (wanted, forces))
+            if step:
+                self.assertAlmostEqual(found, step)
+
+    def test_a_coarse_march(self):
+        """Its error is of first order, and positive where the body creeps. Given: the first row of reference/viscoelastic.csv."""
+        with open(os.path.join(TREE, "reference", "viscoelastic.csv"), encoding="utf-8") as stream:
+            first = next(csv.DictReader(line for line in stream if not line.startswith("#")))
+        self.assertEqual((first["tabor"], first["viscoelastic"], first["preload"], first["unload_speed"]), ("1", "sls:0.1", "5", "1"))
+        words = [sys.executable, os.path.join(TREE, "reference", "make", "coarse_steps.py"), "1", "sls:0.1", "5", "1", "0.1", "0.05"]
+        lines = subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines()
+        errors = [float(line.rpartition(" ")[2]) - float(first["force"]) for line in lines]
+        self.assertGreater(errors[1], 1e-3)
+        self.assertAlmostEqual(errors[0] / errors[1], 2.0, 1)
 
     def test_a_folder_without_the_table(self):
         with self.assertRaisesRegex(SystemExit, "none of comb_1to9.csv"):
