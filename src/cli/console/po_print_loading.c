@@ -169,7 +169,7 @@ static void print_loop(const po_loop *loop, const po_request *request) {
 static void print_no_loop(const po_request *request, const po_result *o) {
   if (o->range.loops.are_known) {
     printf("load control: no loop, because those with greater ranges of the attraction do not have "
-           "the same jumps; a scene with a greater one of its own may have it\n");
+           "the same jumps; with a greater equilibrium distance there may be one\n");
     return;
   }
   greatest g = {0};

@@ -132,9 +132,9 @@ typedef struct {
   const char *at[PO_RANGES_OF_LIMIT];
 } po_range_group;
 
-/* The limit of a double of these structs at an offset. Given: the offset of its error; NO_ERROR: it
- * is of the order of the tolerance. Returned: also *bound. A number that is not finite at all
- * ranges is that of the last one, with the bound 0. */
+/* The limit of a double of these structs at an offset. Given: the offset of its error;
+ * PO_RANGE_NO_ERROR: it is of the order of the tolerance. Returned: also *bound. A number that is
+ * not finite at one of the ranges is that of the last one, with the bound 0. */
 enum { PO_RANGE_NO_ERROR = 0 };
 double po_range_limit_of_number(const po_range_group *g, const po_range_limit *limit, size_t offset,
                                 size_t error_offset, double *bound);
