@@ -85,7 +85,7 @@ def theory(form: str, *, at: Number = None, load: Number = None, approach: Numbe
     """Evaluates a closed form (bradley, jkr, guduru, kesari-lew, ...; `pulloff theory --help` lists them) for the scene
     with these keys. at: the approach, contact radius (epsilon) or gap at which a form that is a curve is evaluated.
     load, approach, or these in SI units: the stable state there (jkr, dmt, maugis, guduru), of unloading after the preload
-    of the scene (preload, preload_load, which jkr and guduru take), without one from the hardest preload. alpha:
+    of the scene (preload, preload_load, which jkr, guduru and persson-brener take), without one from the hardest preload. alpha:
     A R/lambda^2 in place of the wavelength. A key on which the form does not depend is refused. Returns {name: number}, in
     the units of a scene; None is infinite; `assumes` has the equation, the preload and the branch in words. With
     want="curve" `curve` has arrays of approach, load and contact radius, and of whether the state is stable.
