@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import statistics
@@ -99,7 +100,8 @@ def test_an_interrupted_run_keeps_what_took_long():
             time.sleep(0.02)
         process.send_signal(signal.SIGKILL)
     said = run(words)
-    assert "busy:timed: 4 of 6 points, " in said and ("(2 points kept)" in said or "(4 points kept)" in said)
+    # How many of the points that run side by side have ended by then depends on the machine.
+    assert "busy:timed: 4 of 6 points, " in said and re.search(r"\([1-4] points? kept\)", said), said
     assert {len(point["seconds_all"]) for point in record("run/solvers/busy/timed/part.json")["points"][:4]} == {1}
 
 
