@@ -248,8 +248,8 @@ TEST(rounding_leaves_no_step) {
     const po_follow_options options = {.scene_at = wave_at,
                                        .domain_of = same_domain,
                                        .data = &s,
-                                       .allowed = po_solve_allowance(1e-5),
-                                       .precision = po_solve_precision(1e-5),
+                                       .allowed = po_trace_allowance(1e-5),
+                                       .precision = po_trace_precision(1e-5),
                                        .sharpness = 1e-5};
     po_follower *f = NULL;
     ck_assert_int_eq(po_follow_create(&options, begin, &f), PO_OK);

@@ -4,7 +4,7 @@
 #include "po_continuation.h"
 #include "po_follow.h"
 #include "po_solve.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 #include "run.h"
 
 enum { MOST = 16 };
@@ -37,7 +37,7 @@ static void scene_at(void *data, double at, po_scene *scene) {
 
 static double domain_of(void *data, const po_scene *scene) {
   (void)data;
-  return po_solve_domain(scene, po_surface_core(scene, NAN));
+  return po_trace_domain(scene, po_surface_core(scene, NAN));
 }
 
 typedef struct {
@@ -67,12 +67,12 @@ static void trace(const series *l, folds *f) {
   po_continuation *continuation = NULL;
   ck_assert_int_eq(po_surface_create_panels(&scene, domain_of(NULL, &scene), 4, &panels), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&scene, panels, &e), PO_OK);
-  e->precision = po_solve_precision(TOLERANCE);
+  e->precision = po_trace_precision(TOLERANCE);
   *f = (folds){.most = l->folds};
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = f;
-  const po_allowance allowed = po_solve_allowance(TOLERANCE);
+  const po_allowance allowed = po_trace_allowance(TOLERANCE);
   ck_assert_int_eq(po_continuation_create(e, allowed, &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   po_continuation_destroy(continuation);
@@ -86,8 +86,8 @@ static po_follower *follower_of(const series *l) {
   const po_follow_options options = {.scene_at = scene_at,
                                      .domain_of = domain_of,
                                      .data = (void *)l,
-                                     .allowed = po_solve_allowance(TOLERANCE),
-                                     .precision = po_solve_precision(TOLERANCE),
+                                     .allowed = po_trace_allowance(TOLERANCE),
+                                     .precision = po_trace_precision(TOLERANCE),
                                      .sharpness = TOLERANCE};
   po_follower *follower = NULL;
   ck_assert_int_eq(po_follow_create(&options, l->from, &follower), PO_OK);

@@ -3,7 +3,7 @@
 
 #include "po_continuation.h"
 #include "po_prediction.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 #include "run.h"
 
 enum { MOST = 200 };
@@ -32,15 +32,15 @@ static double trace(steps *s) {
   po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
-  const double domain = po_solve_domain(&SCENE, po_surface_core(&SCENE, NAN));
+  const double domain = po_trace_domain(&SCENE, po_surface_core(&SCENE, NAN));
   ck_assert_int_eq(po_surface_create_panels(&SCENE, domain, 4, &panels), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&SCENE, panels, &e), PO_OK);
-  e->precision = po_solve_precision(TOLERANCE);
+  e->precision = po_trace_precision(TOLERANCE);
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = s;
   ck_assert_int_eq(
-      po_continuation_create(e, po_solve_allowance(TOLERANCE), &options, &continuation), PO_OK);
+      po_continuation_create(e, po_trace_allowance(TOLERANCE), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   const double met = panels->core_radius;
   po_continuation_destroy(continuation);

@@ -6,7 +6,7 @@
 #include "po_continuation.h"
 #include "po_memory.h"
 #include "po_scaled_tangent.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 #include "run.h"
 
 static const double TOLERANCE = 1e-8;
@@ -64,11 +64,11 @@ static void compare_along(const po_scene *scene, double error) {
   po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
-  const double domain = po_solve_domain(scene, po_surface_core(scene, NAN));
+  const double domain = po_trace_domain(scene, po_surface_core(scene, NAN));
   ck_assert_int_eq(po_surface_create_panels(scene, domain, 4, &panels), PO_OK);
   const size_t capacity = panels->capacity;
   ck_assert_int_eq(po_equilibrium_create(scene, panels, &e), PO_OK);
-  e->precision = po_solve_precision(TOLERANCE);
+  e->precision = po_trace_precision(TOLERANCE);
   comparison c = {.e = e, .error = error, .border = po_reserve(capacity + 1, sizeof(double))};
   ck_assert_ptr_nonnull(c.border);
   po_arena arrays = {0};
@@ -78,7 +78,7 @@ static void compare_along(const po_scene *scene, double error) {
   options.visit = compare;
   options.data = &c;
   ck_assert_int_eq(
-      po_continuation_create(e, po_solve_allowance(TOLERANCE), &options, &continuation), PO_OK);
+      po_continuation_create(e, po_trace_allowance(TOLERANCE), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   ck_assert_uint_gt(c.compared, 5);
   po_continuation_destroy(continuation);

@@ -324,13 +324,13 @@ LOOP_TEST(the_domain_of_a_search_reaches_to_its_end, 0, 3) {
   static const double PARTS[] = {0.5, 1.2, 2.0}; /* of the usual domain */
   const po_theories theories = {.bound = farthest};
   po_request request = request_of(1.0, 1.0, 10.0, INFINITY);
-  const double usual = po_solve_core(&request);
+  const double usual = po_trace_core(&request);
   request.search = PO_SEARCH_SOME;
   request.theories = &theories;
   farthest_of_1 = PARTS[_i] * usual;
-  const double core = po_solve_core(&request);
+  const double core = po_trace_core(&request);
   if (_i == 1)
-    ck_assert(!po_solve_is_cut_off(&request.scene, farthest_of_1, core));
+    ck_assert(!po_trace_is_cut_off(&request.scene, farthest_of_1, core));
   else
     ck_assert_double_eq(core, usual);
 }

@@ -13,7 +13,7 @@
 #include "po_memory.h"
 #include "po_scales.h"
 #include "po_solve.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 #include "run.h"
 
 static const double TOLERANCE = 1e-6;
@@ -36,7 +36,7 @@ TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   ck_assert(
       po_key_set(&request, PO_KEY_WAVES, "0.805184@33.7833;0.193323@5.85164;0.0503183@14.8622"));
   request = po_load_unit_request(&request);
-  /* po_solve_domain moves the end of the domain a little, to have the kink of the profile at the
+  /* po_trace_domain moves the end of the domain a little, to have the kink of the profile at the
    * end of a panel, and the factors serve */
   const double core = po_surface_core(&request.scene, NAN);
   const double domain =
@@ -46,14 +46,14 @@ TEST(a_ring_of_tension_that_moves_freely_is_followed) {
   po_continuation *continuation = NULL;
   ck_assert_int_eq(po_surface_create_panels(&request.scene, domain, 4, &panels), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&request.scene, panels, &e), PO_OK);
-  e->precision = po_solve_precision(TOLERANCE);
+  e->precision = po_trace_precision(TOLERANCE);
   double position = 0.0;
   po_continuation_options options = po_continuation_options_default();
   options.visit = is_beyond;
   options.data = &position;
   options.most_points = 1000;
   ck_assert_int_eq(
-      po_continuation_create(e, po_solve_allowance(TOLERANCE), &options, &continuation), PO_OK);
+      po_continuation_create(e, po_trace_allowance(TOLERANCE), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   ck_assert_double_gt(position, END);
   po_continuation_destroy(continuation);
@@ -148,17 +148,17 @@ static uint64_t trace_sphere(const double number[4], po_branch_visit visit, void
   po_surface *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
-  const double domain = po_solve_domain(&scene, po_surface_core(&scene, NAN));
+  const double domain = po_trace_domain(&scene, po_surface_core(&scene, NAN));
   ck_assert_int_eq(po_surface_create_panels(&scene, domain, 4, &panels), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&scene, panels, &e), PO_OK);
-  e->precision = po_solve_precision(tolerance);
+  e->precision = po_trace_precision(tolerance);
   *(po_equilibrium **)data = e;
   po_continuation_options options = po_continuation_options_default();
   options.visit = visit;
   options.data = data;
   options.most_points = 1000;
   ck_assert_int_eq(
-      po_continuation_create(e, po_solve_allowance(tolerance), &options, &continuation), PO_OK);
+      po_continuation_create(e, po_trace_allowance(tolerance), &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   const uint64_t iterations = e->work.newton_iterations;
   po_continuation_destroy(continuation);

@@ -47,3 +47,14 @@ void po_result_clear(po_result *result) {
   free(result->diagnostics.states);
   *result = po_result_none();
 }
+
+void po_work_add(const po_work *more, po_work *work) {
+  work->points += more->points;
+  work->newton_iterations += more->newton_iterations;
+  work->factorizations += more->factorizations;
+  work->kernel_evaluations += more->kernel_evaluations;
+  work->meshes += more->meshes;
+  work->nodes = work->nodes > more->nodes ? work->nodes : more->nodes;
+  work->factorized_nodes = work->factorized_nodes > more->factorized_nodes ? work->factorized_nodes
+                                                                           : more->factorized_nodes;
+}

@@ -92,6 +92,9 @@ typedef struct {
   double seconds;              /* wall time, but for diagnostics */
 } po_work;
 
+/* Adds work to other work. Of nodes, the greater number is kept. */
+void po_work_add(const po_work *more, po_work *work);
+
 /* What the uncertainty of one input, or the noise of a profile, does to the pull-off force. */
 typedef struct {
   char source[48];         /* the name of the option, or "noise" */
@@ -113,7 +116,7 @@ typedef struct {
 typedef struct {
   bool are_known;
   double least, greatest; /* as of loops */
-  size_t left_out; /* steps of light preloads at given approach that not all ranges have */
+  size_t left_out;        /* steps of light preloads at given approach that not all ranges have */
 } po_range_stairs;
 
 /* Why the trace of a branch ended; see po_stopping.h. */

@@ -64,7 +64,7 @@ po_status po_series_solve(po_series_scenes scenes, po_status (*solve)(const po_s
 
 static double domain_of(void *data, const po_scene *scene) {
   (void)data;
-  return po_solve_domain(scene, po_surface_core(scene, NAN));
+  return po_trace_domain(scene, po_surface_core(scene, NAN));
 }
 
 static bool is_same(double a, double b) {
@@ -96,8 +96,8 @@ po_status po_series_course_begin(po_series_course *c, size_t first, double toler
   const po_follow_options options = {.scene_at = scene_at,
                                      .domain_of = domain_of,
                                      .data = (void *)c->scenes,
-                                     .allowed = po_solve_allowance(tolerance),
-                                     .precision = po_solve_precision(tolerance),
+                                     .allowed = po_trace_allowance(tolerance),
+                                     .precision = po_trace_precision(tolerance),
                                      .sharpness = tolerance};
   return po_follow_create(&options, (double)first, &c->follower);
 }
@@ -120,7 +120,7 @@ static po_status record(const po_series_course *c, size_t index) {
   const po_scene *scene = &c->scenes->requests[index].scene;
   const po_branch_point p = po_follow_point(c->follower, false);
   const po_contact_gap gap = po_contact_gap_of(scene, &p);
-  if (po_solve_is_cut_off(scene, po_contact_radius(&gap), p.solution->domain))
+  if (po_trace_is_cut_off(scene, po_contact_radius(&gap), p.solution->domain))
     return PO_OUT_OF_DOMAIN;
   c->record(c->data, index, &p);
   return PO_OK;
@@ -160,7 +160,7 @@ po_status po_series_follow(po_series_course *c, const po_solution *point, size_t
       return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
     if (request->watch)
       request->watch(request->watcher, (double)NAN, (double)NAN);
-    const po_deadline before = po_deadline_begin(request->stop, po_solve_deadline(request));
+    const po_deadline before = po_deadline_begin(request->stop, po_trace_deadline(request));
     status = po_follow_to(c->follower, (double)k);
     po_deadline_end(before);
     if (!status)

@@ -4,6 +4,7 @@
 
 #include "po_request.h"
 #include "po_result.h"
+#include "po_size.h"
 
 /* Traces the branch of a scene and computes what the request wants. Given: a request. Returned: a
  * result, which must be passed to po_result_clear whatever the status. Status: also stored in the
@@ -12,14 +13,6 @@
  * limit is checked after every point of the branch, so that a solve may exceed it by the time of
  * one step. */
 po_status po_solve(const po_request *request, po_result *result);
-
-typedef struct {
-  size_t nodes; /* of the finest mesh; 0 for a rigid scene */
-  double bytes; /* greatest memory of a process that solves the scene alone */
-} po_size;
-
-/* The most nodes that a mesh of panels has. */
-extern const size_t PO_MOST_NODES_OF_MESH;
 
 /* An upper estimate for a request that is valid. Accuracy: a solve needs between 1/8 of it and all
  * of it (tests/cost/size.py). A search of all preloads may need more than the estimate. */

@@ -10,7 +10,7 @@
 
 #include "po_request.h"
 #include "po_result.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 
 /* The width of a contact edge, eps/c, over the shortest wavelength, or over Gamma (Eq 14) if the
  * sphere is smooth. */

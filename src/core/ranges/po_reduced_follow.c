@@ -56,8 +56,8 @@ po_status po_range_course_create(const po_ranges *ranges, const po_range_trace *
                                      .domain_of = domain_of,
                                      .unit_at = unit_at,
                                      .data = c,
-                                     .allowed = po_solve_allowance(trace->kept.tolerance),
-                                     .precision = po_solve_precision(request.mesh.tolerance),
+                                     .allowed = po_trace_allowance(trace->kept.tolerance),
+                                     .precision = po_trace_precision(request.mesh.tolerance),
                                      .sharpness = request.mesh.tolerance};
   const po_status status = po_follow_create(&options, parameter(c, c->at), &c->follower);
   if (!status)

@@ -35,7 +35,7 @@ bool po_reduced_ends(po_status status);
 
 /* -- Special points that are followed (po_reduced_follow.c) -- */
 
-/* A trace with one of the ranges, of PO_KEEP_TEST. */
+/* A trace with one of the ranges, of PO_KEEP_LOADING. */
 typedef struct {
   int at; /* index of the range */
   po_kept_points kept;

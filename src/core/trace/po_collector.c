@@ -10,7 +10,7 @@
 #include "po_hermite.h"
 #include "po_memory.h"
 #include "po_solution.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 
 static bool is_special(const po_branch_point *p) {
   return p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION &&
@@ -103,8 +103,8 @@ static double deepest_kept(const po_kept_points *kept) {
   return deepest;
 }
 
-/* Whether a special point is one of PO_KEEP_TEST. Minima of the load are tensile. */
-static bool is_of_test(const po_kept_points *kept, const po_branch_point *p, bool minimum) {
+/* Whether a special point is one of PO_KEEP_LOADING. Minima of the load are tensile. */
+static bool is_of_loading(const po_kept_points *kept, const po_branch_point *p, bool minimum) {
   if (p->kind == PO_POINT_APPROACH_MIN)
     return p->unstable_modes == 0;
   if (minimum)
@@ -124,7 +124,7 @@ static po_status keep_point(po_kept_points *kept, const po_branch_point *p,
                             const po_stopping *stopping) {
   const bool fold = p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN;
   const bool minimum = p->kind == PO_POINT_LOAD_MIN && p->load < 0.0;
-  const bool wanted = kept->which == PO_KEEP_TEST     ? is_of_test(kept, p, minimum)
+  const bool wanted = kept->which == PO_KEEP_LOADING  ? is_of_loading(kept, p, minimum)
                       : kept->which == PO_KEEP_MINIMA ? minimum
                                                       : fold;
   if (!p->solution || !wanted)
@@ -186,13 +186,13 @@ static double balance_defect(const po_balance *balance) {
   return range > 0.0 ? balance->worst / range : (double)NAN;
 }
 
-void po_collector_end(po_collector *reader) {
-  reader->result->diagnostics.energy_defect = balance_defect(&reader->balance);
-  reader->result->diagnostics.energy_defect_at = reader->balance.at;
-  if (reader->request->want & PO_WANT_CURVE)
-    give_curve(&reader->points, reader->result);
-  free(reader->points.path);
-  po_kept_clear(&reader->kept);
+void po_collector_end(po_collector *collector) {
+  collector->result->diagnostics.energy_defect = balance_defect(&collector->balance);
+  collector->result->diagnostics.energy_defect_at = collector->balance.at;
+  if (collector->request->want & PO_WANT_CURVE)
+    give_curve(&collector->points, collector->result);
+  free(collector->points.path);
+  po_kept_clear(&collector->kept);
 }
 
 /* Whether the preload is met and a search of limited effort is in progress, which may end at any
@@ -341,7 +341,7 @@ static bool ends_at(po_collector *r, const po_branch_point *p, double contact_ra
                         po_profile_shape(&scene->profile).end, contact_radius, p->approach);
   if (!r->status && r->most_points && !r->stopping.met && r->points.count > r->most_points)
     note_too_long(r, p);
-  if (!r->status && p->gap && po_solve_is_cut_off(scene, contact_radius, r->surface->core_radius))
+  if (!r->status && p->gap && po_trace_is_cut_off(scene, contact_radius, r->surface->core_radius))
     note_cut_off(r, p, contact_radius);
   else if (!r->status)
     r->result->ended.cause = po_stopping_cause(&r->stopping, p);

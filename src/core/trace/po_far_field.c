@@ -8,7 +8,7 @@
 #include "po_panel_table.h"
 #include "po_rigid.h"
 #include "po_scales.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 
 /* -- The error of a solution -- */
 
@@ -208,7 +208,7 @@ double po_far_field_core(const po_scene *scene, double core, double tolerance) {
   const double rows = po_profile_shape(&scene->profile).end;
   const double most = fmax(MOST * core, isfinite(rows) ? LARGER * rows : 0.0);
   for (double c = core; c < most; c *= LARGER)
-    if (!(error_of_initial_gap(scene, po_solve_domain(scene, c), allowed) > allowed))
+    if (!(error_of_initial_gap(scene, po_trace_domain(scene, c), allowed) > allowed))
       return c;
   return core;
 }

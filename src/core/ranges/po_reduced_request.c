@@ -33,7 +33,7 @@ static const double OF_TOLERANCE = 0.03;
 enum { MOST_TRACED = 24 };
 
 /* Results that need traces of their own. */
-enum { OF_TESTS = PO_WANT_HYSTERESIS | PO_WANT_PRELOAD };
+enum { OF_LOADING = PO_WANT_HYSTERESIS | PO_WANT_PRELOAD };
 
 double po_reduced_width(const po_scene *scene) {
   const double length = po_scene_is_wavy(scene) ? po_initial_gap_detail(scene) : INFINITY;
@@ -45,8 +45,8 @@ bool po_reduced_applies(const po_request *request) {
   return request->creep.kind == PO_CREEP_NONE && request->mesh.scheme == PO_PANEL &&
          !po_rigid_suffices(scene) && po_profile_is_sphere(&scene->profile) &&
          po_law_numbers_of(&scene->law)->exponent == 3.0 &&
-         !(request->want & ~(unsigned)(PO_WANT_THEORIES | OF_TESTS)) &&
-         (isnan(request->stiffness) || request->want & OF_TESTS) &&
+         !(request->want & ~(unsigned)(PO_WANT_THEORIES | OF_LOADING)) &&
+         (isnan(request->stiffness) || request->want & OF_LOADING) &&
          isnan(request->approach_start) && isnan(request->profile_approach) && !request->show &&
          po_reduced_width(scene) < PO_REDUCED_MOST_WIDTH;
 }
@@ -54,11 +54,11 @@ bool po_reduced_applies(const po_request *request) {
 bool po_reduced_is_chosen(const po_request *request) {
   const double chosen =
       po_scene_is_wavy(&request->scene) ? CHOSEN * sqrt(request->mesh.tolerance) : CHOSEN_SMOOTH;
-  const bool tests = request->want & OF_TESTS;
+  const bool loads = request->want & OF_LOADING;
   return po_reduced_applies(request) &&
          (request->range == PO_RANGE_REDUCED ||
           (request->range == PO_RANGE_AUTO &&
-           po_reduced_width(&request->scene) < (tests ? fmin(chosen, NARROWEST) : chosen)));
+           po_reduced_width(&request->scene) < (loads ? fmin(chosen, NARROWEST) : chosen)));
 }
 
 bool po_reduced_is_resort(const po_request *request, po_status status) {
@@ -87,7 +87,7 @@ po_request po_reduced_request(const po_request *request, double s) {
   r.approach_end /= s;
   r.stiffness *= s;
   r.range = PO_RANGE_EXACT;
-  r.want &= ~(unsigned)OF_TESTS;
+  r.want &= ~(unsigned)OF_LOADING;
   r.mesh.tolerance = po_reduced_tolerance(request);
   return r;
 }

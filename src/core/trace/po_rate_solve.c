@@ -12,7 +12,7 @@
 #include "po_memory.h"
 #include "po_rate_loading.h"
 #include "po_rate_solve.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 
 /* -- Marches -- */
 
@@ -120,7 +120,7 @@ static po_status march(const po_request *request, po_equilibrium *e, const po_so
           .request = request, .surface = e->surface, .keeps = keeps, .fixed = !isnan(options.end)}};
   options.visit = visit_march;
   options.data = &r->read;
-  po_status status = po_march_create(e, po_solve_allowance(tolerance), start, &options, &r->march);
+  po_status status = po_march_create(e, po_trace_allowance(tolerance), start, &options, &r->march);
   if (!status)
     status = po_march_run(r->march);
   if (!status)
@@ -433,7 +433,7 @@ po_status po_rate_solve(const po_request *request, const po_attempt *a, po_surfa
     const common_errors common = common_errors_of(request, a, &reached);
     po_contact_gap gap = po_contact_gap_on_panels(&request->scene, &reached);
     const double radius = po_contact_radius(&gap);
-    status = po_solve_is_cut_off(&request->scene, radius, a->core)
+    status = po_trace_is_cut_off(&request->scene, radius, a->core)
                  ? PO_OUT_OF_DOMAIN
                  : march_all(request, a, e, po_rate_is_loaded(request) ? &first : &reached, radius,
                              &common, o);

@@ -6,8 +6,8 @@
 #include "po_collector.h"
 #include "po_loop.h"
 #include "po_refine.h"
-#include "po_solve_internal.h"
 #include "po_staircase.h"
+#include "po_trace.h"
 
 /* Where the trace begins at the farthest for a soft spring, eps. A sphere under Lennard-Jones
  * forces is attracted by 2e-10 pi w R there; what other laws and profiles leave is in the stated
@@ -80,7 +80,7 @@ static beginning from_any(const po_estimate *greatest) {
 static double loss_error(const po_request *request, const beginning *from, po_control control,
                          const po_loss *loss) {
   const double place = po_held(control, from->place.approach, from->place.load);
-  const double precision = po_solve_precision(request->mesh.tolerance);
+  const double precision = po_trace_precision(request->mesh.tolerance);
   if (isnan(loss->energy)) /* unbounded */
     return NAN;
   return loss->moved * place + loss->of_held + PO_SAFETY * loss->doubt.interpolated +
@@ -161,22 +161,22 @@ static double deepest_stable(const po_path *path, const po_result *o) {
 /* Whether no harder preload gives a greater pull-off force. The trace of a rigid wavy sphere is
  * complete from the approach at which the repulsion of the central crest exceeds all attraction.
  * The load of a smooth sphere, rigid or not, has no minimum under compression. */
-static bool is_complete(const po_collector *reader, const po_path *path) {
-  const po_scene *scene = &reader->request->scene;
-  const po_result *o = reader->result;
+static bool is_complete(const po_collector *collector, const po_path *path) {
+  const po_scene *scene = &collector->request->scene;
+  const po_result *o = collector->result;
   const double load = -o->pull_off_any.force;
   if (deepest_stable(path, o) < load - o->pull_off_any.force_error)
     return false;
   if (o->rigid && !po_scene_is_simple(scene))
-    return o->ended.approach >= po_solve_rigid_end(scene, 0.0);
-  return po_stopping_is_complete(&reader->stopping, load);
+    return o->ended.approach >= po_trace_rigid_end(scene, 0.0);
+  return po_stopping_is_complete(&collector->stopping, load);
 }
 
 /* The preload of the pull-off, the greatest pull-off of all preloads, and the staircases with their
  * errors if they are wanted. Status: PO_NO_MEMORY. */
-static po_status read_pressed(const po_collector *reader, const po_path *path) {
-  const po_request *request = reader->request;
-  po_result *o = reader->result;
+static po_status read_pressed(const po_collector *collector, const po_path *path) {
+  const po_request *request = collector->request;
+  po_result *o = collector->result;
   const po_staircase *s = &o->staircase.of[0];
   o->has_staircases = request->want & PO_WANT_PRELOAD;
   const po_status status =
@@ -184,10 +184,10 @@ static po_status read_pressed(const po_collector *reader, const po_path *path) {
   if (status)
     return status;
   for (int k = 0; k < PO_TESTS; ++k)
-    state_errors(request, o, &reader->special.greatest, &o->staircase.of[k]);
+    state_errors(request, o, &collector->special.greatest, &o->staircase.of[k]);
   read_pull_off(s, pull_off_position(o), o);
   read_any(s, o);
-  o->pull_off_any.complete = o->pull_off_any.is_known && is_complete(reader, path);
+  o->pull_off_any.complete = o->pull_off_any.is_known && is_complete(collector, path);
   return PO_OK;
 }
 
@@ -203,22 +203,22 @@ static double energy_error_at(const po_path *path, const po_path_state *state) {
 
 /* Where a jump begins: apart, which is exact, at a special point as it is stated, or between those.
  */
-static beginning beginning_of(const po_collector *reader, const po_jump *jump,
+static beginning beginning_of(const po_collector *collector, const po_jump *jump,
                               const po_special_point *mark) {
   if (!isfinite(jump->before.position))
     return (beginning){{0.0, 0.0}, 0.0};
   if (mark && !isnan(mark->load_error) && !isnan(mark->energy_error))
     return (beginning){{mark->approach_error, mark->load_error}, mark->energy_error};
-  return from_any(&reader->special.greatest);
+  return from_any(&collector->special.greatest);
 }
 
 /* A jump from where it is stated to begin to where it then ends, and its error. */
-static void read_jump(const po_collector *reader, const po_path *path, po_control control,
+static void read_jump(const po_collector *collector, const po_path *path, po_control control,
                       po_jump *jump) {
-  const po_request *request = reader->request;
+  const po_request *request = collector->request;
   po_path_state *before = &jump->before, *after = &jump->after;
   const double held = po_held(control, before->approach, before->load);
-  const po_special_point *mark = take_special_point(reader->result, before);
+  const po_special_point *mark = take_special_point(collector->result, before);
   const double now = po_held(control, before->approach, before->load);
   if (mark && isfinite(after->position))
     *after = po_path_moved(path, control, *after, now - held);
@@ -228,7 +228,7 @@ static void read_jump(const po_collector *reader, const po_path *path, po_contro
   const bool apart = !isfinite(before->position) || !isfinite(after->position);
   if (apart && po_scene_has_infinite_energy(&request->scene))
     loss.energy = NAN; /* energies are not relative to the bodies apart */
-  const beginning from = beginning_of(reader, jump, mark);
+  const beginning from = beginning_of(collector, jump, mark);
   jump->energy_lost_error = loss_error(request, &from, control, &loss);
   jump->energy_lost = at_least_zero(loss.energy, jump->energy_lost_error);
 }
@@ -249,15 +249,15 @@ static void read_rows(const po_result *o, po_loop *loop) {
 
 /* A loop whose states at special points are as these are stated, and its errors. The work of a
  * closed loop is the energy that its jumps lose, computed by another way. */
-static void read_loop(const po_collector *reader, const po_path *path, po_loop *loop) {
-  const po_request *request = reader->request;
-  const po_result *o = reader->result;
+static void read_loop(const po_collector *collector, const po_path *path, po_loop *loop) {
+  const po_request *request = collector->request;
+  const po_result *o = collector->result;
   take_special_point(o, &loop->preload);
   double energy = state_energy_error(o, path, &loop->preload);
   loop->energy_lost = loop->energy_lost_error = 0.0;
   for (size_t k = 0; k < loop->jump_count; ++k) {
     po_jump *jump = &loop->jumps[k];
-    read_jump(reader, path, loop->control, jump);
+    read_jump(collector, path, loop->control, jump);
     loop->energy_lost += jump->energy_lost;
     loop->energy_lost_error += jump->energy_lost_error;
     energy = fmax(energy, state_energy_error(o, path, &jump->before));
@@ -267,7 +267,7 @@ static void read_loop(const po_collector *reader, const po_path *path, po_loop *
   loop->work_error = loop->energy_lost_error + fabs(loop->work - loop->energy_lost);
   loop->row_area_error = fabs(loop->row_area_error) + loop->work_error;
   loop->energy_error = energy + PO_SAFETY * loop->interpolated;
-  loop->pull_off_error = state_of_special_point(request, reader->result, &loop->pull_off);
+  loop->pull_off_error = state_of_special_point(request, collector->result, &loop->pull_off);
 }
 
 /* The least approach that loading and unloading along the branch may reach: that of the branch, and
@@ -300,15 +300,15 @@ static bool begins_late(const po_request *request, const po_path *path, double *
 }
 
 /* Computes loading and unloading along the traced branch. */
-static po_status read_hysteresis(const po_collector *reader, const po_path *path) {
-  po_result *o = reader->result;
-  const po_status status =
-      po_hysteresis_follow(path, po_request_preload(reader->request), reader->request->stiffness,
-                           reader->request->want & PO_WANT_LOOP, &o->hysteresis);
+static po_status read_hysteresis(const po_collector *collector, const po_path *path) {
+  po_result *o = collector->result;
+  const po_status status = po_hysteresis_follow(
+      path, po_request_preload(collector->request), collector->request->stiffness,
+      collector->request->want & PO_WANT_LOOP, &o->hysteresis);
   o->has_hysteresis = !status;
   for (int k = 0; k < 2 + o->hysteresis.has_spring && !status; ++k)
     if (k != PO_AT_LOAD || o->hysteresis.has_load)
-      read_loop(reader, path, &o->hysteresis.of[k]);
+      read_loop(collector, path, &o->hysteresis.of[k]);
   return status;
 }
 
@@ -317,12 +317,12 @@ static po_status read_hysteresis(const po_collector *reader, const po_path *path
  * attraction grows manifold. */
 static const double MOST_OF_MISS = 32.0;
 
-po_status po_loading_compute(const po_collector *reader, double *begin) {
-  const po_request *request = reader->request;
-  const po_path path = {reader->points.path, reader->points.count,
+po_status po_loading_compute(const po_collector *collector, double *begin) {
+  const po_request *request = collector->request;
+  const po_path path = {collector->points.path, collector->points.count,
                         MOST_OF_MISS * po_estimate_miss(request)};
-  po_status status = read_pressed(reader, &path);
+  po_status status = read_pressed(collector, &path);
   if (!status && !begins_late(request, &path, begin) && (request->want & PO_WANT_HYSTERESIS))
-    status = read_hysteresis(reader, &path);
+    status = read_hysteresis(collector, &path);
   return status;
 }

@@ -8,7 +8,7 @@
 #include "po_corrector.h"
 #include "po_deadline.h"
 #include "po_memory.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 
 /* Distance of the approach from that of the preload that is rounding, relative to 1 + the latter.
  */
@@ -114,7 +114,7 @@ static po_status load_once(const po_request *request, po_equilibrium *e, po_rela
   options.data = l;
   po_continuation *trace = NULL;
   po_status status =
-      po_continuation_create(e, po_solve_allowance(request->mesh.tolerance), &options, &trace);
+      po_continuation_create(e, po_trace_allowance(request->mesh.tolerance), &options, &trace);
   if (!status)
     status = po_continuation_run(trace);
   po_continuation_destroy(trace);
@@ -152,7 +152,7 @@ po_status po_rate_load_relaxed(const po_request *request, po_equilibrium **e,
     status = po_equilibrium_create(&request->scene, l->surface, e);
     if (status)
       return status;
-    (*e)->precision = po_solve_precision(request->mesh.tolerance);
+    (*e)->precision = po_trace_precision(request->mesh.tolerance);
     status = load_once(request, *e, l);
     if (status || isnan(l->load) || (k == 0 && l->reached->load < l->load))
       return status;

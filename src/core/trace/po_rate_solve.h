@@ -4,8 +4,8 @@
 
 #include "po_request.h"
 #include "po_result.h"
-#include "po_solve_internal.h"
 #include "po_surface.h"
+#include "po_trace.h"
 
 /* Loads the relaxed body to the preload and unloads it at the speed of the request. Given: the
  * request, which was checked; core and tolerance of the attempt; its surface of panels. Returned:

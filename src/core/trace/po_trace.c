@@ -9,10 +9,9 @@
 #include "po_far_field.h"
 #include "po_initial_gap.h"
 #include "po_rate_solve.h"
-#include "po_reduced.h"
 #include "po_rigid.h"
 #include "po_rigid_trace.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 
 /* Greatest allowed distance of a wanted curve from the straight lines between its points, in eps
  * and pi w R. */
@@ -24,9 +23,9 @@ static const double CURVE_SAGITTA = 5e-4;
 static const double RIGID_START = 10.0, RIGID_START_LOAD = 0.02;
 
 static po_continuation_options options_of(const po_request *request, double begin,
-                                          po_collector *reader) {
+                                          po_collector *collector) {
   po_continuation_options options = po_continuation_options_default();
-  options.minima_only = reader->for_series && reader->for_series->which != PO_KEEP_FOLDS;
+  options.minima_only = collector->for_series && collector->for_series->which != PO_KEEP_FOLDS;
   options.end = request->approach_end;
   if (isfinite(request->preload.approach))
     options.station[0] = request->preload.approach;
@@ -42,27 +41,27 @@ static po_continuation_options options_of(const po_request *request, double begi
     options.largest_miss = po_estimate_miss(request);
   options.sharpness = request->mesh.tolerance;
   options.visit = po_collector_visit;
-  options.data = reader;
+  options.data = collector;
   return options;
 }
 
-static void note_work(const po_collector *reader, const po_equilibrium *e, bool panels) {
-  po_work *work = &reader->result->work;
+static void note_work(const po_collector *collector, const po_equilibrium *e, bool panels) {
+  po_work *work = &collector->result->work;
   *work = e->work;
-  work->nodes = panels ? reader->most_nodes : reader->surface->n;
-  work->kernel_evaluations = reader->surface->kernel_evaluations;
+  work->nodes = panels ? collector->most_nodes : collector->surface->n;
+  work->kernel_evaluations = collector->surface->kernel_evaluations;
 }
 
 /* Makes the reverse trace. Status: PO_NO_MEMORY, PO_INTERRUPTED; any other status of the
  * reverse trace is kept with its results. */
-static po_status trace_back(po_continuation *continuation, po_collector *reader) {
-  po_diagnostics *d = &reader->result->diagnostics;
+static po_status trace_back(po_continuation *continuation, po_collector *collector) {
+  po_diagnostics *d = &collector->result->diagnostics;
   const double begin = po_clock_wall();
-  po_status status = po_continuation_reverse(continuation, po_collector_visit_back, reader);
-  if (reader->status)
-    status = reader->status;
-  reader->status = PO_OK;
-  d->reverse_trace = po_reverse_trace_compare(&reader->kept, status);
+  po_status status = po_continuation_reverse(continuation, po_collector_visit_back, collector);
+  if (collector->status)
+    status = collector->status;
+  collector->status = PO_OK;
+  d->reverse_trace = po_reverse_trace_compare(&collector->kept, status);
   d->seconds += po_clock_wall() - begin;
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;
@@ -71,35 +70,35 @@ static po_status trace_back(po_continuation *continuation, po_collector *reader)
 }
 
 /* The status of a trace that may have been stopped between two points. */
-static po_status unless_stopped(po_collector *reader, po_status status) {
-  const po_result *o = reader->result;
+static po_status unless_stopped(po_collector *collector, po_status status) {
+  const po_result *o = collector->result;
   return status == PO_INTERRUPTED || status == PO_OUT_OF_TIME
-             ? po_collector_stop(reader, status, o->ended.approach, o->ended.load)
+             ? po_collector_stop(collector, status, o->ended.approach, o->ended.load)
              : status;
 }
 
-static po_status trace_elastic(const po_request *request, const po_attempt *a, po_collector *reader,
-                               po_surface *surface) {
+static po_status trace_elastic(const po_request *request, const po_attempt *a,
+                               po_collector *collector, po_surface *surface) {
   const bool panels = po_surface_panels(surface);
-  const po_continuation_options options = options_of(request, a->begin, reader);
+  const po_continuation_options options = options_of(request, a->begin, collector);
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
-  reader->begin = request->approach_start;
-  reader->begun = isnan(request->approach_start);
+  collector->begin = request->approach_start;
+  collector->begun = isnan(request->approach_start);
   po_status status = po_equilibrium_create(&request->scene, surface, &e);
   if (!status && panels)
-    e->precision = po_solve_precision(request->mesh.tolerance);
+    e->precision = po_trace_precision(request->mesh.tolerance);
   if (!status)
-    status = po_continuation_create(e, po_solve_allowance(a->tolerance), &options, &continuation);
+    status = po_continuation_create(e, po_trace_allowance(a->tolerance), &options, &continuation);
   if (!status) {
-    status = unless_stopped(reader, po_continuation_run(continuation));
-    note_work(reader, e, panels);
+    status = unless_stopped(collector, po_continuation_run(continuation));
+    note_work(collector, e, panels);
   }
-  if (!status && !reader->status && reader->diagnoses && panels)
-    status = trace_back(continuation, reader);
+  if (!status && !collector->status && collector->diagnoses && panels)
+    status = trace_back(continuation, collector);
   po_continuation_destroy(continuation);
-  if (reader->diagnoses && !status)
-    status = po_diagnose_states(request, &reader->kept, e, reader->result);
+  if (collector->diagnoses && !status)
+    status = po_diagnose_states(request, &collector->kept, e, collector->result);
   po_equilibrium_destroy(e);
   return status;
 }
@@ -111,27 +110,27 @@ static double rigid_start(const po_law *law) {
   return gap;
 }
 
-static po_status trace_rigid(const po_request *request, double farthest, po_collector *reader) {
-  po_continuation_options options = options_of(request, NAN, reader);
+static po_status trace_rigid(const po_request *request, double farthest, po_collector *collector) {
+  po_continuation_options options = options_of(request, NAN, collector);
   const bool searches = po_request_search(request) != PO_SEARCH_NONE;
   if (isnan(options.end))
     options.end =
         isnan(request->preload.load) && isfinite(request->preload.approach) && !searches
             ? request->preload.approach
-            : po_solve_rigid_end(&request->scene, fmax(0.0, po_request_preload(request).load));
-  reader->result->rigid = true;
+            : po_trace_rigid_end(&request->scene, fmax(0.0, po_request_preload(request).load));
+  collector->result->rigid = true;
   if (isfinite(request->preload.approach) &&
       !(request->preload.approach < -po_law_numbers_of(&request->scene.law)->closest))
     return po_fail(PO_BAD_INPUT,
                    "preload is %g: expected less than %g, the greatest approach of rigid bodies",
                    request->preload.approach, -po_law_numbers_of(&request->scene.law)->closest);
-  reader->begun = true;
+  collector->begun = true;
   double begin = request->approach_start;
   if (isnan(begin))
     begin = fmin(0.0, options.end) - rigid_start(&request->scene.law);
   if (!isnan(request->stiffness))
     begin = fmin(begin, farthest);
-  return unless_stopped(reader, po_rigid_trace(&request->scene, begin, &options));
+  return unless_stopped(collector, po_rigid_trace(&request->scene, begin, &options));
 }
 
 /* Creates the surface of a request: a fixed mesh or panels; for a rigid scene only the nodes, which
@@ -148,7 +147,7 @@ static po_status make_surface(const po_request *request, bool rigid, double core
     }
     return po_surface_create(scene, &mesh, far_enough, !rigid, surface);
   }
-  const double domain = po_solve_domain(scene, far_enough);
+  const double domain = po_trace_domain(scene, far_enough);
   const double waves = domain / po_initial_gap_detail(scene);
   uint32_t level = 2; /* 2^level panels have at most the length of a wave, if 64 are enough */
   while (level < 6 && (double)(1 << level) < waves)
@@ -158,22 +157,22 @@ static po_status make_surface(const po_request *request, bool rigid, double core
 
 /* Fails because the points that are read have no minimum of the load: they begin beyond it, or the
  * preload is so small that the trace passed none. */
-static po_status lacks_minimum(const po_request *request, const po_collector *reader) {
-  const po_curve_point *first = reader->points.path + reader->points.before;
+static po_status lacks_minimum(const po_request *request, const po_collector *collector) {
+  const po_curve_point *first = collector->points.path + collector->points.before;
   const double length = po_scene_length_unit(&request->scene);
-  if (!isnan(request->approach_start) && reader->points.count > reader->points.before &&
+  if (!isnan(request->approach_start) && collector->points.count > collector->points.before &&
       first->load_rate > 0.0)
     return po_fail(
         PO_NOT_FOUND,
         "the load has no minimum between approach_start and approach %.6g: the trace is "
         "read from approach %.6g, load %.6g on, where the load already rises; expected a "
         "smaller approach_start, or none",
-        reader->result->ended.approach * length, first->approach * length,
+        collector->result->ended.approach * length, first->approach * length,
         first->load * po_scene_load_unit(&request->scene));
   const po_preload preload = po_request_preload(request);
   if (isnan(preload.approach))
     return po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g",
-                   reader->result->ended.approach * length);
+                   collector->result->ended.approach * length);
   return po_fail(
       PO_NOT_FOUND,
       "the load has no minimum up to the preload, approach %.6g: the tension is greatest "
@@ -182,21 +181,21 @@ static po_status lacks_minimum(const po_request *request, const po_collector *re
 }
 
 /* If the continuation fails in a search beyond the preload, the search ends there. */
-static po_status end_search(po_status status, po_collector *reader) {
+static po_status end_search(po_status status, po_collector *collector) {
   const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_NOT_CONVERGED ||
                      status == PO_OUT_OF_NODES || status == PO_TOO_MANY_POINTS;
-  if (!stuck || !po_stopping_is_searching(&reader->stopping))
+  if (!stuck || !po_stopping_is_searching(&collector->stopping))
     return status;
   po_message_clear();
-  reader->result->ended.cause = PO_END_SEARCHED;
+  collector->result->ended.cause = PO_END_SEARCHED;
   return PO_OK;
 }
 
 /* A trace that fails before it meets the preload has no pull-off: a deeper minimum may follow. The
  * message then has the deepest minimum so far. Returned: the status. */
-static po_status without_pull_off(po_status status, const po_collector *reader) {
-  po_result *o = reader->result;
-  if (!status || reader->stopping.met || !o->has_pull_off)
+static po_status without_pull_off(po_status status, const po_collector *collector) {
+  po_result *o = collector->result;
+  if (!status || collector->stopping.met || !o->has_pull_off)
     return status;
   o->has_pull_off = false;
   return po_fail(
@@ -204,8 +203,8 @@ static po_status without_pull_off(po_status status, const po_collector *reader) 
       "%s; the deepest minimum of the load so far, %.6g at approach %.6g, need not be the "
       "pull-off",
       *po_message() ? po_message() : po_status_text(status),
-      -o->pull_off.force * po_scene_load_unit(&reader->request->scene),
-      o->pull_off.approach * po_scene_length_unit(&reader->request->scene));
+      -o->pull_off.force * po_scene_load_unit(&collector->request->scene),
+      o->pull_off.approach * po_scene_length_unit(&collector->request->scene));
 }
 
 /* The width of a contact edge over the shortest wavelength that is advised: by four scenes with
@@ -213,30 +212,18 @@ static po_status without_pull_off(po_status status, const po_collector *reader) 
  * 3e-4 to 6e-4 of it, in proportion to this number. */
 static const double ADVISED_WIDTH = 1e-3;
 
-/* If greater ranges of the attraction would solve a scene but are excluded, the message says so.
- * Returned: the status. */
-static po_status with_auto(po_status status, const po_collector *reader) {
-  const po_request *request = reader->request;
-  const bool is_of_them = reader->for_series && reader->for_series->which == PO_KEEP_TEST;
-  if (request->range != PO_RANGE_EXACT || is_of_them || !po_reduced_applies(request))
-    return status;
-  return po_fail(status, "%s; greater ranges of the attraction apply: expected the range auto",
-                 *po_message() ? po_message() : po_status_text(status));
-}
-
 /* If a trace fails, or takes too long, because contact edges are much narrower than the waves, the
  * message says so, and how to solve the same bodies with a greater range of the attraction. Epsilon
  * enters every length, the Tabor parameter as its inverse, and the width of an edge over the
  * wavelength, eps / (coupling * wavelength), as its square. Returned: the status. */
-static po_status with_range(po_status status, const po_collector *reader) {
-  const po_scene *scene = &reader->request->scene;
+static po_status with_range(po_status status, const po_collector *collector) {
+  const po_scene *scene = &collector->request->scene;
   const double shortest = po_initial_gap_detail(scene);
   const double width = 1.0 / (po_scene_coupling(scene) * shortest);
   if (status != PO_STEP_TOO_SMALL && status != PO_OUT_OF_NODES && status != PO_OUT_OF_TIME)
     return status;
-  status = with_auto(status, reader);
-  if (reader->points.count == 0 || !po_scene_is_wavy(scene) || !(width < ADVISED_WIDTH) ||
-      reader->request->mesh.scheme != PO_PANEL)
+  if (collector->points.count == 0 || !po_scene_is_wavy(scene) || !(width < ADVISED_WIDTH) ||
+      collector->request->mesh.scheme != PO_PANEL)
     return status;
   const double larger = sqrt(ADVISED_WIDTH / width);
   char command[200] = "";
@@ -251,23 +238,23 @@ static po_status with_range(po_status status, const po_collector *reader) {
       "--distance-m %.4g times as great, or Tabor parameter, coupling and all lengths so many "
       "times smaller%s, changing loads by %.0e where tried",
       *po_message() ? po_message() : po_status_text(status), width,
-      reader->points.path[reader->points.count - 1].contact_radius / shortest, larger, command,
-      0.5 * ADVISED_WIDTH);
+      collector->points.path[collector->points.count - 1].contact_radius / shortest, larger,
+      command, 0.5 * ADVISED_WIDTH);
 }
 
-po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kept,
-                   po_result *result) {
+po_status po_trace_once(const po_request *request, po_attempt *a, po_kept_points *kept,
+                        po_result *result) {
   const bool rigid = po_rigid_suffices(&request->scene);
   po_surface *surface = NULL;
-  po_collector reader = {.request = request,
-                         .result = result,
-                         .for_series = kept,
-                         .most_points = a->most_points,
-                         .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
-                         .special = {.greatest = {.traced_approach_error = NAN,
-                                                  .traced_load_error = NAN,
-                                                  .traced_energy_error = NAN}},
-                         .stopping = po_stopping_begin(request)};
+  po_collector collector = {.request = request,
+                            .result = result,
+                            .for_series = kept,
+                            .most_points = a->most_points,
+                            .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
+                            .special = {.greatest = {.traced_approach_error = NAN,
+                                                     .traced_load_error = NAN,
+                                                     .traced_energy_error = NAN}},
+                            .stopping = po_stopping_begin(request)};
   if (kept) {
     const po_keep which = kept->which;
     po_kept_points_clear(kept);
@@ -283,15 +270,15 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
     po_surface_destroy(surface);
     return status;
   }
-  reader.surface = surface;
-  status =
-      rigid ? trace_rigid(request, a->begin, &reader) : trace_elastic(request, a, &reader, surface);
+  collector.surface = surface;
+  status = rigid ? trace_rigid(request, a->begin, &collector)
+                 : trace_elastic(request, a, &collector, surface);
   if (!status)
-    status = reader.status;
-  status = end_search(status, &reader);
+    status = collector.status;
+  status = end_search(status, &collector);
   if (!status && result->ended.cause == PO_END_NONE)
     result->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
-  if (!status && !reader.stopping.met && !isnan(request->approach_end) &&
+  if (!status && !collector.stopping.met && !isnan(request->approach_end) &&
       !isnan(request->preload.load))
     status = po_fail(PO_NOT_FOUND,
                      "the trace ended at approach %.6g, load %.6g, before the load %g was reached; "
@@ -301,13 +288,13 @@ po_status po_trace(const po_request *request, po_attempt *a, po_kept_points *kep
                      request->preload.load * po_scene_load_unit(&request->scene),
                      result->ended.load > 0.0 ? ", or a smaller load" : "");
   if (!status && !result->has_pull_off && isnan(request->approach_end))
-    status = lacks_minimum(request, &reader);
+    status = lacks_minimum(request, &collector);
   if (!status)
-    status = po_loading_compute(&reader, &a->begin);
-  status = with_range(without_pull_off(status, &reader), &reader);
+    status = po_loading_compute(&collector, &a->begin);
+  status = with_range(without_pull_off(status, &collector), &collector);
 done:
-  a->unmet_folds = reader.special.unmet_folds;
-  po_collector_end(&reader);
+  a->unmet_folds = collector.special.unmet_folds;
+  po_collector_end(&collector);
   po_surface_destroy(surface);
   return status;
 }

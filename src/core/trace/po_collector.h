@@ -11,8 +11,8 @@
 #include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
-#include "po_solve_internal.h"
 #include "po_stopping.h"
+#include "po_trace.h"
 
 /* The special points of the result, folds and extrema of the load: sizes of their lists. */
 typedef struct {
@@ -59,15 +59,15 @@ typedef struct {
   po_status status;
 } po_collector;
 
-/* Frees the memory of a reader, after storing the energy balance in the result and giving it the
+/* Frees the memory of a collector, after storing the energy balance in the result and giving it the
  * curve, of which it has none before. */
-void po_collector_end(po_collector *reader);
+void po_collector_end(po_collector *collector);
 
 /* What a stop means for the trace: the end of a search of limited effort, otherwise a failure.
  * Given: why, PO_INTERRUPTED or PO_OUT_OF_TIME; the last point, NAN if there is none. */
-po_status po_collector_stop(po_collector *reader, po_status why, double approach, double load);
+po_status po_collector_stop(po_collector *collector, po_status why, double approach, double load);
 
-/* A po_branch_visit; `data` is the reader. Ends the trace on interruption, at the deadline, on a
+/* A po_branch_visit; `data` is the collector. Ends the trace on interruption, at the deadline, on a
  * failure of a part, or where the stopping rule ends it. */
 bool po_collector_visit(const po_branch_point *point, void *data);
 
@@ -81,6 +81,6 @@ bool po_collector_visit_back(const po_branch_point *point, void *data);
  * preloads, and the staircases and loops with their errors if they are wanted. If unloading leads
  * to a smaller approach than the trace began with, *begin is set instead of the loops, and the
  * trace must be repeated. Status: PO_NO_MEMORY. */
-po_status po_loading_compute(const po_collector *reader, double *begin);
+po_status po_loading_compute(const po_collector *collector, double *begin);
 
 #endif

@@ -24,7 +24,7 @@ static void watch_scaled(void *of, double approach, double load) {
 }
 
 static po_range_trace no_trace(void) {
-  return (po_range_trace){.at = -1, .kept = {.which = PO_KEEP_TEST}, .result = po_result_none()};
+  return (po_range_trace){.at = -1, .kept = {.which = PO_KEEP_LOADING}, .result = po_result_none()};
 }
 
 static void clear_trace(po_range_trace *t) {

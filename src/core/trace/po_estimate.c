@@ -10,7 +10,7 @@
 #include "po_quadrature.h"
 #include "po_refine.h"
 #include "po_solution.h"
-#include "po_solve_internal.h"
+#include "po_trace.h"
 
 /* Allowed distance between the branch and the cubics through its points: MISS_OF_TOLERANCE times
  * the tolerance of panels, but at least LEAST_MISS, or LEAST_OF_STAIRCASE if no curve is drawn. The
@@ -177,7 +177,7 @@ static po_point_error of_panels(const po_scene *scene, const po_solution *p) {
 
 po_point_error po_point_error_of(const po_request *request, const po_branch_point *p) {
   const po_scene *scene = &request->scene;
-  const double precision = po_solve_precision(request->mesh.tolerance);
+  const double precision = po_trace_precision(request->mesh.tolerance);
   if (!p->gap)
     return (po_point_error){
         RIGID * fmax(1.0, fabs(p->energy)) + po_far_field_rigid_energy(scene, p->approach), 0.0};
@@ -201,7 +201,7 @@ static po_contact_edge edge_on_panels(const po_request *request, const po_branch
   const po_contact_gap best = po_contact_gap_on_panels(&request->scene, p->best);
   const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, p->finer);
   /* an error of the approach is an error of the gap */
-  const po_contact_doubt doubt = {&finer, po_solve_precision(request->mesh.tolerance),
+  const po_contact_doubt doubt = {&finer, po_trace_precision(request->mesh.tolerance),
                                   po_far_field_of(&request->scene, p->best).approach};
   return po_contact_estimate(&best, &doubt);
 }
@@ -253,7 +253,7 @@ static void estimate_energy(const po_request *request, const po_branch_point *p,
   }
   point->energy = energy + point->load * (point->approach - from);
   point->energy_error = change + fabs(point->load) * point->approach_error +
-                        po_solve_precision(request->mesh.tolerance) * (1.0 + fabs(point->load));
+                        po_trace_precision(request->mesh.tolerance) * (1.0 + fabs(point->load));
 }
 
 /* Adds the errors that the solution on the finer mesh does not show. */
