@@ -30,7 +30,8 @@ def command(scene, tolerance):
 
 
 def solve(program, scene, tolerance, limit):
-    """The document of one solve. If the program prints none, the status is `crashed` and the reason is stated."""
+    """The document of one solve. If the program prints none, the status is `refused` (exit code 2) or `crashed`, and the reason is
+    stated."""
     most = int(2 * limit) + SLACK
     done = subprocess.run(["prlimit", f"--cpu={most}", program, *words(scene, tolerance, limit), "--json"],
                           capture_output=True, check=False, text=True)
@@ -40,7 +41,7 @@ def solve(program, scene, tolerance, limit):
         if done.returncode == -signal.SIGXCPU:
             return {"status": "crashed", "reason": f"not ended after {most} s, with a time limit of {limit:g} s"}
         last = done.stderr.strip().splitlines()[-1:] or ["no message"]
-        return {"status": "crashed", "reason": f"exit code {done.returncode}: {last[0]}"}
+        return {"status": "refused" if done.returncode == 2 else "crashed", "reason": f"exit code {done.returncode}: {last[0]}"}
 
 
 class Journal:

@@ -11,8 +11,8 @@ import draw
 import made_up
 import reference
 
-# A program whose true errors are FAULT times those that it states, and which fails at Tabor parameters above 9. It
-# records each call in the file CALLS.
+# A program whose true errors are FAULT times those that it states, which fails at Tabor parameters above 9 and refuses
+# those above 10. It records each call in the file CALLS.
 PROGRAM = """#!/usr/bin/python3
 import json, os, sys
 with open(os.environ["CALLS"], "a") as stream:
@@ -20,7 +20,8 @@ with open(os.environ["CALLS"], "a") as stream:
 flags = dict(zip(sys.argv[2::2], sys.argv[3::2]))
 t, tabor = float(flags["--tolerance"]), float(flags["--tabor"])
 if tabor > 9:
-    sys.exit("pulloff: no such thing")
+    sys.stderr.write("pulloff: no such thing")
+    sys.exit(2 if tabor > 10 else 1)
 off = t * float(os.environ["FAULT"])
 best = {"force": 1.5 + off, "approach": -tabor + 10 * off, "contact_radius": 3 + off, "error_estimate": t,
         "approach_error_estimate": 10 * t, "contact_radius_error_estimate": t}
@@ -158,6 +159,12 @@ class Campaigns(made_up.Case):
         code, text = self.run_it(0.5, "--tabor", "9.5:9.9")
         self.assertEqual(code, 1)
         self.assertIn("crashed: scene 0: exit code 1: pulloff: no such thing", text)
+
+    def test_a_refusal_is_not_a_failure(self):
+        code, text = self.run_it(0.5, "--tabor", "8:11", "--count", "12")
+        self.assertRegex(text, r"loose crashed \d+, loose refused \d+")
+        self.assertNotIn("exit code 2", text)
+        self.assertEqual((code, self.run_it(0.5, "--tabor", "10.5:11")[0]), (1, 3))
 
 
 class References(unittest.TestCase):
