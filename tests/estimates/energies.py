@@ -28,6 +28,7 @@ ORDER = ("fold energy", "extremum energy", "curve energy", "loop energy", "lost 
          *table.ORDER)
 STARTS = 8           # parts of a segment in which the nearest place is looked for
 CANDIDATES = 3       # segments of a curve on which it is looked for
+MOST = 300           # points of a curve that are compared, evenly chosen
 MISS = 1e-8          # least distance of a curve from its cubics that the program asks for
 STIFFNESS = (1e-6, 1e4)          # of the springs, in units of pi w R/epsilon
 TESTS = (*(control.name for control in steps.CONTROLS), "spring")
@@ -166,7 +167,7 @@ class Task:
         """The points that both traces cover; the greatest difference counts."""
         low, high = (max(one["curve"][0]["approach"] for one in (loose, tight)), min(one["end"] for one in (loose, tight)))
         own = max(compare.value(point, "energy_error_estimate") for point in tight["curve"])
-        for point in loose["curve"]:
+        for point in loose["curve"][::-(-len(loose["curve"]) // MOST)]:
             if low <= point["approach"] <= high:
                 off, miss = energy_off(point, tight["curve"])
                 self.add("curve energy", f" (at approach {point['approach']:.7g})",
