@@ -257,6 +257,15 @@ def test_printed_units_follow_the_numbers():
         assert 0.1 <= float(force) < 1000, printed
 
 
+def test_an_approach_of_rounding_has_the_unit_of_the_scene():
+    """That of a rigid sphere was printed as 0.006245004514 ym, with an error of 3.0e+05 ym."""
+    rigid = "--from-physical --modulus-pa inf --distance-m 3e-10 --radius-m 1e-7"
+    for words in (f"solve {rigid} --work-j-per-m2 0.05 --want preload",
+                  f"follow {rigid} --key work-j-per-m2 --from 0.05 --to 0.06 --points 3"):
+        printed = expect(0, "", words).out
+        assert re.search("approach/nm|lengths in nm,", printed) and not re.search(r"[ /]ym\b", printed), printed
+
+
 @pytest.mark.parametrize("option, value, words", [
     ("distance-m", "0.3", "0.3 m, which looks like another unit: usual are 1e-11 to 1e-07 m"),
     ("distance-m", "1e-12", "1e-12 m, which looks like another unit: usual are 1e-11 to 1e-07 m"),

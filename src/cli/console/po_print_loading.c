@@ -33,7 +33,10 @@ static units units_of(const po_request *request, const greatest *g) {
   if (!request->in_si)
     return u;
   for (size_t i = 0; i < sizeof items / sizeof *items; ++i) {
-    const po_si_unit unit = po_si_readable(&request->units, items[i].dimension, items[i].greatest);
+    const po_si_unit unit =
+        items[i].dimension == PO_DIMENSION_LENGTH
+            ? po_si_readable_approach(&request->units, items[i].greatest)
+            : po_si_readable(&request->units, items[i].dimension, items[i].greatest);
     *items[i].factor = unit.factor;
     snprintf(items[i].text, sizeof u.of_load, " %s", unit.text);
   }

@@ -114,7 +114,7 @@ static void take_greatest(greatest *g, double approach, double load, double radi
 }
 
 static units_of_point units_for(const po_units *units, const greatest *g) {
-  return (units_of_point){.approach = po_si_readable(units, PO_DIMENSION_LENGTH, g->approach),
+  return (units_of_point){.approach = po_si_readable_approach(units, g->approach),
                           .load = po_si_readable(units, PO_DIMENSION_LOAD, g->load),
                           .radius = po_si_readable(units, PO_DIMENSION_LENGTH, g->radius)};
 }

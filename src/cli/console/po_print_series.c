@@ -48,7 +48,7 @@ static printed units_of(const po_printed_series *series, bool folds) {
       take_greatest(greatest, &unit, result->folds[i].approach, result->folds[i].load,
                     result->folds[i].contact_radius);
   }
-  return (printed){po_si_readable(first, PO_DIMENSION_LENGTH, greatest[0] / first->length),
+  return (printed){po_si_readable_approach(first, greatest[0] / first->length),
                    po_si_readable(first, PO_DIMENSION_LOAD, greatest[1] / first->force),
                    po_si_readable(first, PO_DIMENSION_LENGTH, greatest[2] / first->length)};
 }

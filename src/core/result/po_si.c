@@ -104,6 +104,14 @@ po_si_unit po_si_readable(const po_units *units, po_dimension dimension, double 
              : unit_with(units, dimension, prefix_of(dimension, size, 1.0));
 }
 
+/* An approach of this part of epsilon is 0 but for rounding, as that of the pull-off of a rigid
+ * sphere. */
+static const double ROUNDING = 1e-12;
+
+po_si_unit po_si_readable_approach(const po_units *units, double greatest) {
+  return po_si_readable(units, PO_DIMENSION_LENGTH, greatest < ROUNDING ? 0.0 : greatest);
+}
+
 void po_si_take(double *greatest, double number) {
   if (isfinite(number))
     *greatest = fmax(*greatest, fabs(number));

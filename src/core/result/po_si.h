@@ -33,6 +33,10 @@ po_si_unit po_si_prefixed(const po_units *units, po_dimension dimension);
  * if it is 0 or not finite; else that with which it is from 1 to 1000. */
 po_si_unit po_si_readable(const po_units *units, po_dimension dimension, double greatest);
 
+/* The same for approaches, in epsilon: the unit is that of the scene, too, if all of them are 0 but
+ * for rounding. */
+po_si_unit po_si_readable_approach(const po_units *units, double greatest);
+
 /* Takes the magnitude of a number into account, unless it is not finite. */
 void po_si_take(double *greatest, double number);
 
