@@ -127,7 +127,7 @@ def a_spring_has_its_loop(reader, _):
 def a_table_is_a_profile(reader, source):
     reader.open("#profile=table&coupling=0.2")
     table = "r,gap\n" + "".join(f"{r},{r * r * (1 + 0.1 * source.random() / (1 + r)) / 60:.3f}\n" for r in range(0, 40, 2))
-    for text, is_good in (("", False), ("r,gap\n0,0\n1,x\n", False), ("x" * 5000, False), (table.replace(",", ";"), False), (table, True), (table[:-1], True)):
+    for text, is_good in (("", False), ("r,gap\n0,0\n1,x\n", False), ("x" * 5000, False), (table.replace(",", "|"), False), (table.replace(",", ";"), True), (table, True), (table[:-1], True)):
         reader.enter("table", text)
         marked = reader.browser.evaluate("document.getElementById('field-table').getAttribute('aria-invalid')")
         assert bool(reader.text("messages")) != is_good and marked == (None if is_good else "true"), (text, reader.text("messages"))
