@@ -191,6 +191,17 @@ def test_a_trace_that_ends_under_tension_has_the_loop_at_given_approach():
     assert expect(0, "", words + "-2").count("^load control: no loop, which begins at load 0: the trace ended at approach -2, ") == 1
 
 
+def test_a_trace_that_does_not_reach_its_start_says_so():
+    expect(3, "*; the trace did not reach approach_start, 50: expected a smaller one, or none", "solve --tabor 1 --approach-start 50")
+
+
+def test_energies_of_an_unbounded_surface_on_which_nothing_acts_far_out():
+    """Losses are those of a surface that ends where the traction is below rounding. They were null."""
+    words = "solve --profile power:1e-4,4.5 --coupling 0.3 --law mie:30,60 --want hysteresis --outer-radius "
+    free, cut = (document(words + end)["hysteresis"]["displacement_control"] for end in ("inf", "60"))
+    assert abs(free["energy_lost"] - cut["energy_lost"]) < free["energy_lost_error_estimate"] + cut["energy_lost_error_estimate"]
+
+
 @pytest.mark.parametrize("scene, start", (("--tabor 5", 0), ("--tabor 0.3", 1), ("--tabor 3 --preload 8", 2), ("--tabor 0", 0.5)))
 def test_a_trace_that_is_read_from_inside_the_contact_says_so(scene, start):
     """It named the end of the trace, or advised a harder preload, which does not help. What it advises does."""

@@ -20,6 +20,7 @@ def write_table():
 
 
 @pytest.mark.parametrize("words", [
+    f"--coupling 0.1 --profile punch:5,20 --law mie:4,10 --preload {10**190}",  # the far field of a contact of 1e96 eps
     "--tabor 1e-6 --radius 1e5 --amplitude 1e5 --wavelength 0.01",  # the last minimum of 5e9 waves
     "--tabor 1e-5 --radius 100 --amplitude 1000 --wavelength 1e5 --outer-radius 1 --want hysteresis",  # the JKR curve of a long wave
     # a rigid load with a long sum

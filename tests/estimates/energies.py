@@ -110,7 +110,7 @@ def energy_off(point, curve):
     """The difference of the energy of a state from that of a curve at the same approach, and the error of the latter by
     interpolation. Near the nearest place of the curve the energy changes by load times approach."""
     reach = 0.5 + 0.02 * point["position"]
-    near = [i for i, other in enumerate(curve[:-1]) if abs(other["position"] - point["position"]) < reach]
+    near = [i for i, other in enumerate(curve[:-1]) if abs(other["position"] - point["position"]) < reach] or range(len(curve) - 1)
     segments = [Segment(curve[i], curve[i + 1]) for i in near]
     found = []
     for segment in sorted(segments, key=lambda one: one.start(point))[:CANDIDATES]:

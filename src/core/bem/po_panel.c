@@ -30,7 +30,7 @@ double po_panel_decay(const po_scene *scene) {
 }
 
 double po_panel_energy_decay(const po_scene *scene) {
-  const bool falls = isfinite(po_law_numbers_of(&scene->law)->exponent);
+  const bool falls = isfinite(po_scene_decay(scene));
   return falls && !po_scene_has_infinite_energy(scene)
              ? po_panel_decay(scene) - po_profile_shape(&scene->profile).growth
              : po_panel_decay(scene);

@@ -138,13 +138,12 @@ void po_profile_rescale(po_profile *profile, double epsilon) {
       p[k] /= epsilon;
 }
 
-/* Gaps beyond are this one, eps: nothing acts there, and a gap that overflows leaves no number. */
-static const double FARTHEST = 1e150;
+const double PO_PROFILE_FARTHEST = 1e150;
 
 double po_profile_gap(const po_profile *profile, double radius, double r) {
   const po_profile_kind *kind = kind_of(profile);
   const double gap = kind->over_radius ? kind->gap(profile, r) / radius : kind->gap(profile, r);
-  return gap < FARTHEST ? gap : FARTHEST;
+  return gap < PO_PROFILE_FARTHEST ? gap : PO_PROFILE_FARTHEST;
 }
 
 double po_profile_slope(const po_profile *profile, double radius, double r) {
@@ -154,8 +153,8 @@ double po_profile_slope(const po_profile *profile, double radius, double r) {
 
 po_dd po_profile_gap_exact(const po_profile *profile, double radius, double r) {
   const po_profile_kind *kind = kind_of(profile);
-  if (!(po_profile_gap(profile, radius, r) < FARTHEST))
-    return po_dd_of(FARTHEST);
+  if (!(po_profile_gap(profile, radius, r) < PO_PROFILE_FARTHEST))
+    return po_dd_of(PO_PROFILE_FARTHEST);
   const po_dd gap = kind->gap_exact(profile, r);
   return kind->over_radius ? po_dd_divide(gap, po_dd_of(radius)) : gap;
 }

@@ -107,6 +107,9 @@ double po_profile_default_radius(const po_profile *profile);
  * that unit. A table must be set after it. */
 void po_profile_rescale(po_profile *profile, double epsilon);
 
+/* Gaps beyond are this one, eps: nothing acts there, and a gap that overflows leaves no number. */
+extern const double PO_PROFILE_FARTHEST;
+
 /* f, df/dr, and f in twice the precision, at a radius r >= 0. Given: `radius`, R of the sphere;
  * other profiles do not look at it. */
 double po_profile_gap(const po_profile *profile, double radius, double r);

@@ -158,6 +158,11 @@ static double error_at(const far_panel *f, double r) {
   return fabs(po_pow(t, f->decay) * sum - traction_at(f, r));
 }
 
+/* Where the gap is so large that nothing acts. */
+static bool is_apart(const po_scene *scene, double r) {
+  return po_profile_gap(&scene->profile, scene->radius, r) >= PO_PROFILE_FARTHEST;
+}
+
 /* The pieces of the integral of the error: up to the next row of a table, or until the gap has
  * changed by PART_OF_LAW of the length of the law, or the radius by PART_OF_RADIUS. They end at the
  * last row, but not before FARTHEST times the domain: what is beyond has no weight in the
@@ -187,7 +192,7 @@ static double error_of_initial_gap(const po_scene *scene, double domain, double 
   const double rows = po_profile_shape(&scene->profile).end;
   const double end = fmax(FARTHEST * domain, isfinite(rows) ? rows : 0.0);
   double sum = 0.0;
-  for (double r = domain, to; r < end && !(sum > most); r = to) {
+  for (double r = domain, to; r < end && !(sum > most) && !is_apart(scene, r); r = to) {
     to = piece_end(scene, r);
     for (int k = 0; k < 2; ++k) {
       const double at = r + (to - r) * RULE[k];

@@ -191,6 +191,18 @@ static po_status end_search(po_status status, po_collector *collector) {
   return PO_OK;
 }
 
+/* A trace that fails before it reaches the approach from which it is to be read says so. Returned:
+ * the status. */
+static po_status before_start(po_status status, const po_collector *collector) {
+  const double start = collector->request->approach_start;
+  if (!status || collector->begun || isnan(start) || collector->points.count == 0)
+    return status;
+  return po_fail(status,
+                 "%s; the trace did not reach approach_start, %.6g: expected a smaller one, or none",
+                 *po_message() ? po_message() : po_status_text(status),
+                 start * po_scene_length_unit(&collector->request->scene));
+}
+
 /* A trace that fails before it meets the preload has no pull-off: a deeper minimum may follow. The
  * message then has the deepest minimum so far. Returned: the status. */
 static po_status without_pull_off(po_status status, const po_collector *collector) {
@@ -291,7 +303,7 @@ po_status po_trace_once(const po_request *request, po_attempt *a, po_kept_points
     status = lacks_minimum(request, &collector);
   if (!status)
     status = po_loading_compute(&collector, &a->begin);
-  status = with_range(without_pull_off(status, &collector), &collector);
+  status = before_start(with_range(without_pull_off(status, &collector), &collector), &collector);
 done:
   a->unmet_folds = collector.special.unmet_folds;
   po_collector_end(&collector);
