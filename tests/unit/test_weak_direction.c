@@ -1,5 +1,5 @@
-/* Traces on which the factors of panels are too inaccurate in some directions, so that
- * GMRES solves the linear systems (po_krylov.h). */
+/* Traces on which the factors of panels are too inaccurate in some directions, and have to be
+ * corrected (po_corrector.c), or replaced by GMRES (po_krylov.h). */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,8 +18,8 @@
 
 static const double TOLERANCE = 1e-6;
 
-/* Arclength at which the trace ends. With the factors alone it stayed at 2.0067, where
- * their determinant changes its sign and that of the Jacobian does not. */
+/* Arclength at which the trace ends. Without the correction it stays at 2.0067, where the
+ * determinant of the factors changes its sign and that of the Jacobian does not. */
 static const double END = 2.5;
 
 static bool is_beyond(const po_branch_point *p, void *data) {

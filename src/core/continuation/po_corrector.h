@@ -67,8 +67,8 @@ void po_corrector_guess(po_corrector *c, const po_solution *p);
  * at a narrow edge would be wrong as soon as the edge moves by its own width. */
 void po_corrector_guess_near(po_corrector *c, const po_solution *p, double distance);
 
-/* Factorises the bordered Jacobian at a state, as accurately as the gain of rounding asks for.
- * Given: the state, last evaluated, and the border, n + 1 each. Status: as
+/* Factorises the bordered Jacobian at a state, and corrects the factors of panels in the directions
+ * in which they err most. Given: the state, last evaluated, and the border, n + 1 each. Status: as
  * po_equilibrium_factorize. */
 po_status po_corrector_factorize(po_equilibrium *e, const double *state, const double *border);
 

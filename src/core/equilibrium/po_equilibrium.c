@@ -55,6 +55,9 @@ po_status po_equilibrium_create(const po_scene *scene, po_surface *surface,
   po_arena *const all = &e->arrays;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     *vectors[k] = po_arena_reserve(all, capacity + 1, sizeof(double));
+  e->weak = po_arena_reserve(all, PO_MOST_WEAK * (capacity + 1), sizeof *e->weak);
+  e->weak_functional =
+      po_arena_reserve(all, PO_MOST_WEAK * (capacity + 1), sizeof *e->weak_functional);
   e->krylov = po_arena_reserve(all, (PO_KRYLOV_DEPTH + 1) * (capacity + 1), sizeof *e->krylov);
   e->index = po_arena_reserve(all, capacity, sizeof *e->index);
   po_secant_allocate(&e->secant, capacity + 1, all);

@@ -49,6 +49,9 @@ typedef struct {
   int *pivots;      /* n, row indices from 1 (LAPACK) */
 } po_factors;
 
+/* The largest number of directions in which factors are corrected. */
+enum { PO_MOST_WEAK = 4 };
+
 /* The largest number of iterations of GMRES (po_krylov.h). */
 enum { PO_KRYLOV_DEPTH = 40 };
 
@@ -91,9 +94,11 @@ typedef struct {
                             by a few eps and elongations at pull-off, the load by one or two */
   double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15, at the state of the
                    last factorisation */
-  double reached;   /* error of a gap, relative to 1 + H, that the last correction may have left */
-  double gain;      /* its ratio to that rounding, relative to 1 + H */
-  po_secant secant; /* Broyden's updates since the factorisation */
+  double reached; /* error of a gap, relative to 1 + H, that the last correction may have left */
+  double gain;    /* its ratio to that rounding, relative to 1 + H */
+  double *weak, *weak_functional; /* (n + 1) x PO_MOST_WEAK: u and v of correct_weak */
+  size_t weak_count;              /* corrections of the present factors by these */
+  po_secant secant;               /* Broyden's updates since the factorisation */
   bool factorized;
   int orientation; /* sign of the determinant of the factors, without Broyden's updates */
   po_work work; /* points, iterations, factorisations and meshes; what the surface, a trace and the

@@ -180,6 +180,7 @@ static double change_row(po_equilibrium *e) {
 
 void po_equilibrium_change_border(po_equilibrium *e, const double *border) {
   memcpy(e->border, border, (e->n + 1) * sizeof *border);
+  e->weak_count = 0;
   const double ratio =
       e->elimination ? po_elimination_border(e->elimination, border) / e->pivot : change_row(e);
   e->factorized = ratio > LEAST_PIVOT;
@@ -237,6 +238,7 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   po_secant_clear(&e->secant, e->n + 1);
   for (size_t j = 0; j < e->n; ++j)
     e->secant.scale[j] = po_law_size(&e->scene->law, state[j]);
+  e->weak_count = 0;
   e->neglect = neglect_of(e);
   e->factors.in_double = e->gain > GAIN_OF_DOUBLE;
   const po_status status = e->elimination ? factorize_panels(e) : factorize_dense(e);
@@ -254,6 +256,9 @@ void po_equilibrium_precondition(po_equilibrium *e, const double *residual, doub
   if (e->elimination) {
     memcpy(change, residual, (n + 1) * sizeof *change);
     po_elimination_solve(e->elimination, change);
+    for (size_t k = 0; k < e->weak_count * (n + 1); k += n + 1)
+      po_linear_add(n + 1, po_linear_dot(n + 1, e->weak_functional + k, change), e->weak + k,
+                    change);
     return;
   }
   for (size_t a = 0; a < m; ++a)
