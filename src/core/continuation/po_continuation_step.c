@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "po_continuation_internal.h"
+#include "po_elementary.h"
+#include "po_hermite.h"
 
 /* Error of the prediction, relative to 1 + H, that a step aims at, and the greatest that is
  * accepted. With a limit of 0.14 a step passed over the two folds of mu = 4 that are within 1e-4 of
@@ -186,6 +188,25 @@ static double next_step(po_continuation *t, const po_prediction *p, double step,
   return fmin(longer, GREATEST_GROWTH * step);
 }
 
+/* Distance of the curve from the cubic of the present step, from the error with which the cubic of
+ * the last step foretells its end: both go as the fourth derivative. Unlike po_join_miss, it does
+ * not depend on the energies, whose errors may compensate the distance. 0 for the first step. */
+static double foretold_miss(const po_continuation *t) {
+  if (!t->has_previous)
+    return 0.0;
+  const po_sample from = po_corrector_sample(&t->current, &t->current);
+  const po_sample back = po_corrector_sample(&t->current, &t->previous);
+  const po_sample to = po_corrector_sample(&t->current, &t->next);
+  double off[2];
+  for (int q = 0; q < 2; ++q)
+    off[q] = to.value[q] - po_hermite_value(from.value[q], from.rate[q], back.value[q],
+                                            back.rate[q], to.at, back.at);
+  const double across =
+      (off[0] * to.rate[1] - off[1] * to.rate[0]) / po_hypot(to.rate[0], to.rate[1]);
+  const double of_step = 0.25 * to.at / (to.at - back.at);
+  return fabs(across) * of_step * of_step;
+}
+
 /* Distance from the last inner point, relative to the step, within which its tangent is the
  * prediction. */
 static const double ON_TANGENT = 0.02;
@@ -261,7 +282,7 @@ static double joined_for(const po_continuation *t) {
   const double by_sagitta = sqrt(o->largest_sagitta / sagitta);
   if (!(sagitta > STRAIGHT * o->largest_miss))
     return by_sagitta;
-  const double miss = po_join_miss(&from, &to);
+  const double miss = fmax(po_join_miss(&from, &to), foretold_miss(t));
   return fmin(by_sagitta, sqrt(sqrt(o->largest_miss / miss)));
 }
 
