@@ -6,6 +6,10 @@
 #include "po_kernel.h"
 #include "po_law.h"
 
+/* Precision of DH, relative to its largest component, while c is known from the amount of contact
+ * only. */
+static const double FIRST_PRECISION = 1e-4;
+
 /* The derivatives of what is at fixed gaps, by the logarithm of the scale of all radii. */
 typedef struct {
   double load;                           /* W/(pi w R) */
@@ -59,7 +63,7 @@ po_status po_scaled_tangent(po_equilibrium *e, const double *direction, double p
   const double along = po_arclength_along(PO_ARCLENGTH_GLOBAL_SIZE, direction, s.rate);
   const double edge = p->edges.at[p->edges.count - 1];
   double c = 1.0 / along;
-  po_status status = solve(e, &s, along, c, precision, p);
+  po_status status = solve(e, &s, along, c, FIRST_PRECISION, p);
   if (status)
     return status;
   c += motion_of(e, p, edge) / edge;
