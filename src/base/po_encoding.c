@@ -66,8 +66,36 @@ static void decode_latin1(po_text *text) {
   *text = utf8;
 }
 
+/* The first bytes of files that are no text but are often taken for tables. */
+static const struct {
+  const char *bytes, *what;
+} FORMATS[] = {{"PK\003\004", "a ZIP archive, as those of .xlsx, .ods and .npz are"},
+               {"\037\213", "compressed by gzip"},
+               {"BZh", "compressed by bzip2"},
+               {"\3757zXZ", "compressed by xz"},
+               {"\320\317\021\340", "a workbook of old spreadsheets (.xls)"},
+               {"\223NUMPY", "an array of NumPy (.npy)"},
+               {"\211HDF", "an HDF5 file"},
+               {"MATLAB 5.0", "a MAT-file"},
+               {"%PDF", "a PDF document"},
+               {"\211PNG", "a PNG image"},
+               {"\377\330\377", "a JPEG image"}};
+
+/* What a file is by its first bytes; NULL: it is not known. */
+static const char *format_of(const po_text *text) {
+  for (size_t k = 0; k < sizeof FORMATS / sizeof *FORMATS; ++k) {
+    const size_t length = strlen(FORMATS[k].bytes);
+    if (text->length >= length && memcmp(text->data, FORMATS[k].bytes, length) == 0)
+      return FORMATS[k].what;
+  }
+  return NULL;
+}
+
 po_status po_encoding_decode(const char *name, po_text *text) {
-  const char *t = text->data;
+  const char *t = text->data, *format = format_of(text);
+  if (format)
+    return po_fail(PO_CANNOT_READ, "%s is %s: expected a table in text, with separators", name,
+                   format);
   const bool wide =
       text->length >= 4 && (memcmp(t, "\xFF\xFE\0\0", 4) == 0 || memcmp(t, "\0\0\xFE\xFF", 4) == 0);
   if (wide)

@@ -1,6 +1,9 @@
 """Profiles, waves and coupling from the command line and in cases: equal scenes that are written in different ways, input that is
 refused, tables, SI units, and references that are of one profile only."""
 
+import bz2
+import gzip
+import lzma
 import math
 import pathlib
 import re
@@ -178,6 +181,12 @@ def test_tables_as_instruments_write_them():
      written(";", rows=[["0", "0"], *[[f"{k},500", f"{k * k},250"] for k in range(1, 20)]])),
     (" is text in UTF-32: expected UTF-8 or UTF-16", written().encode("utf-32")),
     (" is not a text file: it contains a NUL byte, as UTF-16 without a byte order mark does: expected UTF-8", written().encode("utf-16-le")),
+    *((f" is {what}*: expected a table in text, with separators", data) for what, data in (
+        ("compressed by gzip", gzip.compress(written().encode())), ("compressed by bzip2", bz2.compress(written().encode())),
+        ("compressed by xz", lzma.compress(written().encode())), ("a ZIP archive, as those of .xlsx", b"PK\3\4" + bytes(30)),
+        ("an array of NumPy", b"\x93NUMPY\1\0"), ("an HDF5 file", b"\x89HDF\r\n\x1a\n"), ("a workbook", b"\xd0\xcf\x11\xe0\xa1\xb1"),
+        ("a PDF document", b"%PDF-1.7\n"), ("a PNG image", b"\x89PNG\r\n\x1a\n"), ("a JPEG image", b"\xff\xd8\xff\xe0"),
+        ("a MAT-file", b"MATLAB 5.0 MAT-file, Platform"))),
     (" is text in UTF-16 with an odd number of bytes: the file is truncated", written().encode("utf-16")[:-1]),
     ("1: of the columns r and gap, with or without a unit (r_um, gap_nm), both are missing in this line of names, which are separated by "
      "semicolons: radius | height", written(";", names=("radius", "height"))),
