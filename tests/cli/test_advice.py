@@ -46,9 +46,9 @@ ADVICE = (
     ("--tabor 5 --preload-load 1 --approach-end -2", "*; expected a greater approach_end; *", "--tabor 5 --preload-load 1 --approach-end 20"),
     (f"{NOISY} 1e-10", "*times the tolerance*: expected a larger tolerance", f"{NOISY} 1e-8"),
     ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*", "--tabor 100"),
-    (f"{NARROW} {GRASPS} --range exact", "*: expected the range auto; *edge is 3.5e-07 wavelengths wide, with * times smaller "
-     f"({WIDER}), changing loads by 5e-04 where tried", f"{NARROW} {GRASPS}", f"{NARROW} {GRASPS} --range reduced", f"{WIDER} {GRASPS}"),
-    (f"{SOFT} --range exact --time-limit 0.5", f"*after 0.5 s of processor time*: expected the range auto; *times smaller ({SOFTER}), *", f"{SOFT} --time-limit 20",
+    (f"{NARROW} {GRASPS} --range exact", "*edge is 3.5e-07 wavelengths wide, with * times smaller "
+     f"({WIDER}), changing loads by 5e-04 where tried; *: expected the range auto", f"{NARROW} {GRASPS}", f"{NARROW} {GRASPS} --range reduced", f"{WIDER} {GRASPS}"),
+    (f"{SOFT} --range exact --time-limit 0.5", f"*after 0.5 s of processor time*times smaller ({SOFTER}), *: expected the range auto", f"{SOFT} --time-limit 20",
      f"{SOFTER} --preload-load 1.8 --tolerance 1e-4"),
     ("--tabor 2 --time-limit 1e-9", "*of processor time*", "--tabor 2 --time-limit 600"),
     (f"{TABLE} 30.csv --preload 30", "*expected rows for larger radii, or a smaller preload; *", f"{TABLE} 200.csv --preload 30", f"{TABLE} 30.csv --preload 0"),
