@@ -180,11 +180,15 @@ static po_status lacks_minimum(const po_request *request, const po_collector *co
       preload.approach * length);
 }
 
+/* Whether the continuation cannot go on. */
+static bool is_stuck(po_status status) {
+  return status == PO_STEP_TOO_SMALL || status == PO_NOT_CONVERGED || status == PO_OUT_OF_NODES ||
+         status == PO_TOO_MANY_POINTS;
+}
+
 /* If the continuation fails in a search beyond the preload, the search ends there. */
 static po_status end_search(po_status status, po_collector *collector) {
-  const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_NOT_CONVERGED ||
-                     status == PO_OUT_OF_NODES || status == PO_TOO_MANY_POINTS;
-  if (!stuck || !po_stopping_is_searching(&collector->stopping))
+  if (!is_stuck(status) || !po_stopping_is_searching(&collector->stopping))
     return status;
   po_message_clear();
   collector->result->ended.cause = PO_END_SEARCHED;
@@ -195,12 +199,12 @@ static po_status end_search(po_status status, po_collector *collector) {
  * the status. */
 static po_status before_start(po_status status, const po_collector *collector) {
   const double start = collector->request->approach_start;
-  if (!status || collector->begun || isnan(start) || collector->points.count == 0)
+  if (!is_stuck(status) || collector->begun || isnan(start) || collector->points.count == 0)
     return status;
-  return po_fail(status,
-                 "%s; the trace did not reach approach_start, %.6g: expected a smaller one, or none",
-                 *po_message() ? po_message() : po_status_text(status),
-                 start * po_scene_length_unit(&collector->request->scene));
+  return po_fail(
+      status, "%s; the trace did not reach approach_start, %.6g: expected a smaller one, or none",
+      *po_message() ? po_message() : po_status_text(status),
+      start * po_scene_length_unit(&collector->request->scene));
 }
 
 /* A trace that fails before it meets the preload has no pull-off: a deeper minimum may follow. The
