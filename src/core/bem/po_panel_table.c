@@ -94,14 +94,13 @@ static void fill_legendre(const po_panel_rule *rule, po_legendre *legendre) {
   }
 }
 
-void po_panel_parts_fill(const po_panel_rule *rule, double middle, po_panel_parts *parts) {
+static void fill_halves(const po_panel_rule *rule, po_panel_halves *halves) {
   for (size_t i = 0; i < 2 * PO_TABLE_ORDER; ++i) {
     const size_t j = i % PO_TABLE_ORDER;
-    const double begin = i < PO_TABLE_ORDER ? 0.0 : middle;
-    const double length = i < PO_TABLE_ORDER ? middle : 1.0 - middle;
-    parts->node[i] = begin + length * rule->node[j];
-    parts->weight[i] = length * rule->weight[j];
-    po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, parts->node[i], parts->lagrange[i]);
+    halves->node[i] = 0.5 * ((i < PO_TABLE_ORDER ? 0.0 : 1.0) + rule->node[j]);
+    halves->weight[i] = 0.5 * rule->weight[j];
+    po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, halves->node[i],
+                halves->lagrange[i]);
   }
 }
 
@@ -120,7 +119,7 @@ static void fill_table(void) {
                          node_in_source(&table.rule, AXIS_POSITIONS[k], i), table.axis[k][i], 1);
   fill_derivative(&table.rule, table.derivative);
   fill_legendre(&table.rule, &table.legendre);
-  po_panel_parts_fill(&table.rule, 0.5, &table.halves);
+  fill_halves(&table.rule, &table.halves);
   is_filled = true;
 }
 

@@ -28,16 +28,16 @@ typedef struct {
   double at_end[2][PO_TABLE_ORDER];
 } po_legendre;
 
-/* The nodes of Gauss's rules on two parts of (0, 1), their weights, and those with which the nodal
+/* The nodes of Gauss's rules on the halves of (0, 1), their weights, and those with which the nodal
  * values of a panel are interpolated to each. */
 typedef struct {
   double node[2 * PO_TABLE_ORDER], weight[2 * PO_TABLE_ORDER],
       lagrange[2 * PO_TABLE_ORDER][PO_TABLE_ORDER];
-} po_panel_parts;
+} po_panel_halves;
 
 typedef struct {
   po_panel_rule rule;
-  po_panel_parts halves;
+  po_panel_halves halves;
   po_panel_block logarithm[PO_LOG_POSITIONS]; /* integral of ln|x - x_i| l_j(x) over (0, 1) */
   po_panel_block axis[PO_AXIS_POSITIONS];     /* influence of the panel (0, 1) */
   po_panel_block derivative;                  /* of the polynomials l_j at the nodes; 0 at j = i */
@@ -48,9 +48,6 @@ typedef struct {
 /* Returned: the table, which the first call of any thread computes; NULL with a message if memory
  * runs out; a later call then tries again. */
 const po_panel_table *po_panel_table_get(void);
-
-/* Given: where the parts meet. */
-void po_panel_parts_fill(const po_panel_rule *rule, double middle, po_panel_parts *parts);
 
 /* Computes the block of influence coefficients for the nodes of `target` and of `source`, for a
  * domain of radius 1. Accuracy: 3e-12 of the deflection (tests/unit/test_panel_table.c), the error

@@ -38,6 +38,8 @@ typedef struct {
   const double *node;   /* n: radii, eps, ascending; NULL for rigid scenes */
   const double *gap;    /* n: H at the nodes */
   const struct po_solution *solution; /* the complete solution, on panels; otherwise NULL */
+  double turn; /* of a special point with errors: the derivative by the arclength of the rate that
+                  vanishes there */
   /* For a special point with errors: the solution that has the corrected values, and the solution
    * on a finer mesh from which the errors were estimated; otherwise NULL. Valid during the visit
    * only. */

@@ -68,6 +68,7 @@ static void judge(po_continuation *t, const po_event *ev, po_branch_point *point
         ev->left > PO_LOCATED ? ev->left * po_solution_length(point->solution) : 0.0;
     point->approach_error = r.error[0] + beyond * fabs(point->approach_rate);
     point->load_error = r.error[1] + beyond * fabs(point->load_rate);
+    point->turn = how.slope;
     point->best = r.point;
     point->finer = r.finer;
   }

@@ -407,6 +407,7 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
                            .n = p->core,
                            .node = p->node,
                            .gap = p->state,
+                           .turn = f->slope,
                            .solution = p,
                            .best = r.finer ? p : NULL,
                            .finer = r.finer};

@@ -7,6 +7,7 @@
 #include "po_law.h"
 #include "po_panel.h"
 #include "po_panel_table.h"
+#include "po_profile.h"
 
 /* Gauss's rule on the panel to infinity is exact for a power of x = begin/r and the polynomials of
  * the panel up to the degree 2 PO_TABLE_ORDER - 1. */
@@ -46,14 +47,14 @@ static far_panel far_panel_of(const po_scene *scene, double begin, size_t nodes,
   return p;
 }
 
-/* phi at a place of the panel. */
-static double interaction(const far_panel *p, double x) {
+/* phi at a radius r, where x = begin/r. */
+static double interaction(const far_panel *p, double x, double r) {
   double weight[PO_PANEL_MAX_ORDER], ratio = 0.0;
   po_lagrange(p->nodes, p->x, p->barycentric, x, weight);
   for (size_t j = 0; j < p->nodes; ++j)
     ratio += weight[j] * p->ratio[j];
   const po_law *law = &p->scene->law;
-  const double initial = po_initial_gap_mean(p->scene, p->begin / x);
+  const double initial = po_initial_gap_mean(p->scene, r);
   const double zero = p->relative ? po_law_energy_averaged(law, initial, p->amplitude) : 0.0;
   return po_law_energy_averaged(law, initial - p->approach + ratio * initial, p->amplitude) - zero;
 }
@@ -68,14 +69,12 @@ static const double FARTHEST = 1e-30;
 enum { PARTS = 14, PARTS_OF_X = 18 };
 static const double SHRINKAGE = 0.25;
 
-/* phi falls as x^e with e > 2. With t = x^(e - 2) the integral is that of phi r^2/((e - 2) t) over
- * t from 0 to 1, whose integrand is finite. It is not smooth at 0, and the parts become smaller
- * there. */
-double po_far_energy(const po_scene *scene, double begin, size_t nodes, const double *node,
-                     const double *gap, double approach) {
-  const far_panel p = far_panel_of(scene, begin, nodes, node, gap, approach);
+/* phi falls as x^e with e > 2, x = begin/r. With t = x^(e - 2) the integral is that of phi r^2/((e
+ * - 2) t) over t from 0 to 1, whose integrand is finite. It is not smooth at 0, and the parts
+ * become smaller there. */
+static double to_infinity(const far_panel *p, double begin) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
-  const double power = po_panel_energy_decay(scene) - 2.0;
+  const double power = po_panel_energy_decay(p->scene) - 2.0;
   const int of_x = power < 1.0 ? PARTS_OF_X : 0, parts = of_x + PARTS;
   const double slow = po_pow(SHRINKAGE, power);
   double sum = 0.0, end = 1.0;
@@ -84,10 +83,30 @@ double po_far_energy(const po_scene *scene, double begin, size_t nodes, const do
     for (size_t j = 0; j < rule->order; ++j) {
       const double t = from + (end - from) * rule->node[j];
       const double x = fmax(FARTHEST, po_pow(t, 1.0 / power)), r = begin / x;
-      sum +=
-          (end - from) * rule->weight[j] * interaction(&p, x) * r * r / (power * po_pow(x, power));
+      sum += (end - from) * rule->weight[j] * interaction(p, p->begin / begin * x, r) * r * r /
+             (power * po_pow(x, power));
     }
     end = from;
   }
   return sum;
+}
+
+/* Ratio of the ends of a piece at least, of those that follow the rows of a table: a few rows in so
+ * short a piece do no harm. */
+static const double SHORTEST_PIECE = 1.02;
+
+double po_far_energy(const po_scene *scene, double begin, size_t nodes, const double *node,
+                     const double *gap, double approach) {
+  const far_panel p = far_panel_of(scene, begin, nodes, node, gap, approach);
+  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  double sum = 0.0, from = begin, to;
+  while (isfinite(to = po_profile_next_joint(&scene->profile, from))) {
+    to = fmax(to, SHORTEST_PIECE * from);
+    for (size_t j = 0; j < rule->order; ++j) {
+      const double r = from + (to - from) * rule->node[j];
+      sum += (to - from) * rule->weight[j] * interaction(&p, begin / r, r) * r;
+    }
+    from = to;
+  }
+  return sum + to_infinity(&p, from);
 }

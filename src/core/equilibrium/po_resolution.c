@@ -89,7 +89,7 @@ static const double KINK_EXCESS = 120.0;
 static double missed_by_nodes(const po_scene *scene, double begin, double length, const double *gap,
                               const double *traction) {
   const po_panel_table *table = po_panel_table_get();
-  const po_panel_parts *halves = &table->halves;
+  const po_panel_halves *halves = &table->halves;
   double deflection[PO_TABLE_ORDER], by_nodes = 0.0, by_halves = 0.0;
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
     const double r = begin + length * table->rule.node[j];

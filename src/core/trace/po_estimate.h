@@ -4,6 +4,7 @@
 #define PO_ESTIMATE_H
 
 #include "po_branch_point.h"
+#include "po_panel_errors.h"
 #include "po_request.h"
 #include "po_result.h"
 
@@ -26,15 +27,10 @@ void po_estimate_pull_off(const po_estimate *minimum, po_result *result);
  * loading and unloading. */
 double po_estimate_miss(const po_request *request);
 
-/* Estimated bounds of the errors of the energy and the load of any point of a branch at its
- * approach, pi w R eps and pi w R; NAN for rings and triangles. */
-typedef struct {
-  double energy, load;
-} po_point_error;
-
+/* The errors of any point of a branch. */
 po_point_error po_point_error_of(const po_request *request, const po_branch_point *point);
 
-/* The first of them. */
+/* That of its energy. */
 double po_energy_error(const po_request *request, const po_branch_point *point);
 
 #endif

@@ -5,10 +5,62 @@
 #include "po_elementary.h"
 #include "po_far_energy.h"
 #include "po_initial_gap.h"
+#include "po_linear.h"
 #include "po_panel_table.h"
+#include "po_refine.h"
 #include "po_rigid.h"
 #include "po_scales.h"
 #include "po_trace.h"
+
+/* -- The panel to infinity -- */
+
+/* The law averaged over the waves beyond a domain, and the polynomial in domain/r that stands for
+ * it there. The deflection is interpolated as a part of the initial gap, which it is not known
+ * better than. */
+typedef struct {
+  const po_scene *scene;
+  double domain, decay, approach;
+  double ratio[PO_TABLE_ORDER];  /* deflection over initial gap, at the nodes */
+  double factor[PO_TABLE_ORDER]; /* traction there over (domain/r)^decay */
+} far_panel;
+
+/* Given: the initial gap and the deflection at r. */
+static double traction_of(const far_panel *f, double r, double ratio) {
+  const double gap = po_initial_gap_mean(f->scene, r) * (1.0 + ratio) - f->approach;
+  return po_law_averaged(&f->scene->law, gap, po_initial_gap_amplitude(f->scene)).traction;
+}
+
+/* The traction at r less that of the polynomial. */
+static double missed_at(const far_panel *f, double r) {
+  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  const double t = f->domain / r;
+  double lagrange[PO_TABLE_ORDER];
+  po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, t, lagrange);
+  const double by_nodes = po_pow(t, f->decay) * po_linear_dot(PO_TABLE_ORDER, lagrange, f->factor);
+  return traction_of(f, r, po_linear_dot(PO_TABLE_ORDER, lagrange, f->ratio)) - by_nodes;
+}
+
+/* Where the gap is so large that nothing acts. */
+static bool is_apart(const po_scene *scene, double r) {
+  return po_profile_gap(&scene->profile, scene->radius, r) >= PO_PROFILE_FARTHEST;
+}
+
+/* The pieces of the integral of the error: up to the next row of a table, or until the gap has
+ * changed by PART_OF_LAW of the length of the law, or the radius by PART_OF_RADIUS. They end at the
+ * last row, but not before FARTHEST times the domain: what is beyond has no weight in the
+ * polynomial either. */
+static const double PART_OF_LAW = 0.25, PART_OF_RADIUS = 0.2, FARTHEST = 100.0;
+
+/* Gauss's rule with two points on (0, 1): the error is needed to some percent. */
+static const double RULE[] = {0.21132486540518713, 0.78867513459481287};
+
+static double piece_end(const po_scene *scene, double r) {
+  const double slope = fabs(po_profile_slope(&scene->profile, scene->radius, r));
+  const double gap = po_profile_gap(&scene->profile, scene->radius, r);
+  const double length = PART_OF_LAW * po_law_size(&scene->law, gap) / slope;
+  return fmin(po_profile_next_joint(&scene->profile, r),
+              r + fmin(length, PART_OF_RADIUS * r)); /* a length of infinity is no limit */
+}
 
 /* -- The error of a solution -- */
 
@@ -83,6 +135,35 @@ static double error_of_polynomial(const po_scene *scene, const po_solution *p) {
   return OF_LAST * 2.0 / scene->radius * p->domain * p->domain * last / (decay - 2.0);
 }
 
+/* Ratio of the ends of a piece at least, of those that follow the rows of a table. */
+static const double SHORTEST_PIECE = 1.02;
+
+/* The load that the polynomial lacks if the profile has joints beyond the domain, which its
+ * coefficients do not show. */
+static double missed_by_joints(const po_scene *scene, const po_solution *p) {
+  const double *node = po_panel_table_get()->rule.node;
+  const size_t first = p->n - PO_TABLE_ORDER;
+  far_panel f = {.scene = scene,
+                 .domain = p->domain,
+                 .decay = po_panel_decay(scene),
+                 .approach = po_solution_approach(p)};
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
+    f.ratio[j] =
+        (p->deflection[first + j] + f.approach) / po_initial_gap_mean(scene, p->domain / node[j]);
+    f.factor[j] = traction_of(&f, p->domain / node[j], f.ratio[j]) / po_pow(node[j], f.decay);
+  }
+  double sum = 0.0;
+  for (double r = p->domain, to;
+       isfinite(po_profile_next_joint(&scene->profile, r)) && !is_apart(scene, r); r = to) {
+    to = fmax(piece_end(scene, r), SHORTEST_PIECE * r);
+    for (int k = 0; k < 2; ++k) {
+      const double at = r + (to - r) * RULE[k];
+      sum += missed_at(&f, at) * at * 0.5 * (to - r);
+    }
+  }
+  return PO_SAFETY * 2.0 / scene->radius * fabs(sum);
+}
+
 /* The error of the energy of the interaction on the panel to infinity: its difference from
  * po_far_energy, where that is not used. */
 static double error_of_far_energy(const po_scene *scene, const po_solution *p) {
@@ -112,8 +193,8 @@ po_far_field po_far_field_of(const po_scene *scene, const po_solution *p) {
   /* the nodes of the panel to infinity follow those of the domain, the nearest last */
   const po_far_place near = {p->node[p->n - 1], p->state[p->n - 1]};
   const po_far_place far = {p->node[p->n - 2], p->state[p->n - 2]};
-  const double load =
-      error_of_average(scene, OF_TRACTION, p->domain, near, far) + error_of_polynomial(scene, p);
+  const double load = error_of_average(scene, OF_TRACTION, p->domain, near, far) +
+                      fmax(error_of_polynomial(scene, p), missed_by_joints(scene, p));
   /* as much as a ring of that load at the end of the domain deflects the axis */
   const double approach = po_scene_coupling(scene) * scene->radius * load / p->domain;
   const double energy =
@@ -135,60 +216,18 @@ double po_far_field_rigid_energy(const po_scene *scene, double approach) {
 
 /* -- How far the panels reach -- */
 
-/* The law averaged over the waves beyond a domain, at the initial gap, and the polynomial in
- * domain/r that stands for it there. */
-typedef struct {
-  const po_scene *scene;
-  double domain, decay, approach;
-  double factor[PO_TABLE_ORDER]; /* traction at the nodes over (domain/r)^decay */
-} far_panel;
-
-static double traction_at(const far_panel *f, double r) {
-  const double gap = po_initial_gap_mean(f->scene, r) - f->approach;
-  return po_law_averaged(&f->scene->law, gap, po_initial_gap_amplitude(f->scene)).traction;
-}
-
-static double error_at(const far_panel *f, double r) {
-  const po_panel_rule *rule = &po_panel_table_get()->rule;
-  const double t = f->domain / r;
-  double lagrange[PO_TABLE_ORDER], sum = 0.0;
-  po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, t, lagrange);
-  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    sum += lagrange[j] * f->factor[j];
-  return fabs(po_pow(t, f->decay) * sum - traction_at(f, r));
-}
-
-/* Where the gap is so large that nothing acts. */
-static bool is_apart(const po_scene *scene, double r) {
-  return po_profile_gap(&scene->profile, scene->radius, r) >= PO_PROFILE_FARTHEST;
-}
-
-/* The pieces of the integral of the error: up to the next row of a table, or until the gap has
- * changed by PART_OF_LAW of the length of the law, or the radius by PART_OF_RADIUS. They end at the
- * last row, but not before FARTHEST times the domain: what is beyond has no weight in the
- * polynomial either. */
-static const double PART_OF_LAW = 0.25, PART_OF_RADIUS = 0.2, FARTHEST = 100.0;
-
-/* Gauss's rule with two points on (0, 1): the error is needed to some percent. */
-static const double RULE[] = {0.21132486540518713, 0.78867513459481287};
-
-static double piece_end(const po_scene *scene, double r) {
-  const double slope = fabs(po_profile_slope(&scene->profile, scene->radius, r));
-  const double gap = po_profile_gap(&scene->profile, scene->radius, r);
-  const double length = PART_OF_LAW * po_law_size(&scene->law, gap) / slope;
-  return fmin(po_profile_next_joint(&scene->profile, r),
-              r + fmin(length, PART_OF_RADIUS * r)); /* a length of infinity is no limit */
-}
-
 /* The load of the difference between the traction of rigid bodies beyond a domain and the
  * polynomial through its values at the nodes, by moduli, pi w R. Given: domain, eps; most: a sum
  * above it is not continued. The bodies are nearer by the gap of the greatest usual contact: the
  * deflection is smooth there. */
 static double error_of_initial_gap(const po_scene *scene, double domain, double most) {
-  far_panel f = {scene, domain, po_panel_decay(scene), po_scene_scales(scene).contact_gap, {0.0}};
+  far_panel f = {.scene = scene,
+                 .domain = domain,
+                 .decay = po_panel_decay(scene),
+                 .approach = po_scene_scales(scene).contact_gap};
   const double *node = po_panel_table_get()->rule.node;
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    f.factor[j] = traction_at(&f, domain / node[j]) / po_pow(node[j], f.decay);
+    f.factor[j] = traction_of(&f, domain / node[j], 0.0) / po_pow(node[j], f.decay);
   const double rows = po_profile_shape(&scene->profile).end;
   const double end = fmax(FARTHEST * domain, isfinite(rows) ? rows : 0.0);
   double sum = 0.0;
@@ -196,7 +235,7 @@ static double error_of_initial_gap(const po_scene *scene, double domain, double 
     to = piece_end(scene, r);
     for (int k = 0; k < 2; ++k) {
       const double at = r + (to - r) * RULE[k];
-      sum += 2.0 / scene->radius * error_at(&f, at) * at * 0.5 * (to - r);
+      sum += 2.0 / scene->radius * fabs(missed_at(&f, at)) * at * 0.5 * (to - r);
     }
   }
   return sum;

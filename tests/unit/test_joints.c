@@ -1,0 +1,97 @@
+/* Profiles with a kink that only a table can have: the stated errors of the pull-off are not
+ * smaller than the true ones, and the energy beyond the mesh is exact. */
+#include <math.h>
+
+#include "po_far_energy.h"
+#include "po_initial_gap.h"
+#include "po_panel_table.h"
+#include "po_quadrature.h"
+#include "po_solve.h"
+#include "profile_table.h"
+
+/* A sphere with a flank of greater slope from a radius on. */
+typedef struct {
+  double coupling, kink, jump;
+} body;
+
+static const body *now;
+
+static double gap_of(double r) {
+  return r * r / 200.0 + now->jump * fmax(0.0, r - now->kink);
+}
+
+static po_scene scene_of(const body *b) {
+  now = b;
+  po_scene scene = po_scene_default();
+  scene.profile = table_of(gap_of, 61, 120.0, 1.0);
+  scene.radius = 1.0;
+  scene.tabor = pow(b->coupling, 2.0 / 3.0);
+  return scene;
+}
+
+/* Kinks inside the mesh, whose error one finer mesh does not show: it changes the approach by
+ * nearly nothing; and beyond it, where no mesh does. */
+static const body BODIES[] = {
+    {0.003, 17.37, 0.05}, {0.003, 18.92, 0.05}, {0.3, 81.0, 0.5}, {0.003, 86.1, 2.0}};
+
+static po_result pull_off_of(const po_scene *scene, double tolerance) {
+  po_request request = po_request_default();
+  request.scene = *scene;
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = tolerance;
+  po_result o = {0};
+  ck_assert_msg(po_solve(&request, &o) == PO_OK, "%s", o.reason);
+  return o;
+}
+
+static void compare(const char *what, double loose, double tight, double error) {
+  ck_assert_msg(fabs(loose - tight) <= error,
+                "%s: %.10g at a loose tolerance, %.10g at a tight one, "
+                "errors of %.3g stated",
+                what, loose, tight, error);
+  ck_assert_double_le(error, 100.0 * 1e-4 * (1.0 + fabs(tight)));
+}
+
+TABLE_TEST(errors_of_a_kink_are_stated, BODIES) {
+  const po_scene scene = scene_of(&BODIES[_i]);
+  po_result loose = pull_off_of(&scene, 1e-4), tight = pull_off_of(&scene, 1e-7);
+  compare("force", loose.pull_off.force, tight.pull_off.force,
+          loose.pull_off.force_error + tight.pull_off.force_error);
+  compare("approach", loose.pull_off.approach, tight.pull_off.approach,
+          loose.pull_off.approach_error + tight.pull_off.approach_error);
+  compare("contact radius", loose.pull_off.contact_radius, tight.pull_off.contact_radius,
+          loose.pull_off.contact_radius_error + tight.pull_off.contact_radius_error);
+  po_result_clear(&loose);
+  po_result_clear(&tight);
+}
+
+static const double APPROACH = -3.0;
+
+/* phi r beyond the mesh, of bodies that do not deform. */
+static double integrand(double r, void *data) {
+  const po_scene *scene = data;
+  const double initial = po_initial_gap(scene, r);
+  const double zero =
+      po_scene_has_infinite_energy(scene) ? po_law_energy(&scene->law, initial) : 0.0;
+  return r * (po_law_energy(&scene->law, initial - APPROACH) - zero);
+}
+
+static double far_energy(const po_scene *scene, double begin) {
+  const double gap = po_initial_gap(scene, begin) - APPROACH;
+  return po_far_energy(scene, begin, 1, &begin, &gap, APPROACH);
+}
+
+/* Between the begin and the last row it is the sum of the integrals between the rows. */
+TEST(far_energy_of_a_table_is_exact) {
+  ck_assert_ptr_nonnull(po_panel_table_get());
+  po_scene scene = scene_of(&BODIES[2]);
+  double sum = 0.0;
+  for (double r = 41.0; r < 120.0; r = r == 41.0 ? 42.0 : r + 2.0) {
+    double part = NAN;
+    ck_assert_int_eq(
+        po_integrate(integrand, &scene, r, r == 41.0 ? 42.0 : r + 2.0, 0.0, 1e-13, &part), PO_OK);
+    sum += part;
+  }
+  const double expected = sum + far_energy(&scene, 120.0);
+  ck_assert_double_eq_tol(far_energy(&scene, 41.0), expected, 1e-9 * fabs(expected));
+}
