@@ -243,6 +243,28 @@ TEST(gap_outside_is_that_of_the_sphere) {
   }
 }
 
+static double less_than(double x, po_abel t, const void *data) {
+  (void)x;
+  return t.g - *(const double *)data;
+}
+
+/* With the order of both integrals changed it is the integral of the transform, for rings that span
+ * from half a row to all rows, and go beyond them, with waves and without. */
+TEST(opening_of_a_table_is_the_integral_of_its_transform) {
+  for (int w = 0; w < 2; ++w) {
+    po_scene s = scene_of_table(bumps, 33, 40.0, 1.0, 0.3);
+    if (w)
+      ck_assert(po_scene_set_waves(&s, "0.4@9"));
+    for (double a = 0.31; a < 60.0; a *= 1.37)
+      for (double c = a + 0.4; c < 90.0; c += 0.37 * c) {
+        const double approach = po_abel_at(&s, a).g;
+        const double by_transform = po_abel_integral(&s, a, c, true, less_than, &approach);
+        compare("opening", &s, c, po_abel_opening(&s, a, approach, c), by_transform,
+                3e-13 * (fabs(by_transform) + fabs(approach) + po_initial_gap(&s, c)));
+      }
+  }
+}
+
 TEST(overlap_outside_is_found) {
   double gap, radius;
   po_contact c;

@@ -4,6 +4,7 @@
 
 #include "po_deadline.h"
 #include "po_elementary.h"
+#include "po_initial_gap.h"
 #include "po_order.h"
 #include "po_profile_kind.h"
 #include "po_profile_table.h"
@@ -463,6 +464,57 @@ static double less(double x, po_abel t, const void *data) {
   return t.g - *(const double *)data;
 }
 
+/* The beginning of the piece below a that ends at x: pieces lie between the joints, are not longer
+ * than their distance from a, and the one at a is not longer than the ring, from a to c. */
+static double piece_begin(const integral *q, double below, double a, double x) {
+  double begin = fmax(below, x < a ? x - (a - x) : a - (q->to - a));
+  for (size_t k = 0; k < po_scene_waves(q->scene); ++k)
+    begin = fmax(begin, x - PIECE_OF_WAVE * po_scene_wave(q->scene, k).length);
+  return fmax(begin, 0.0);
+}
+
+/* The integral of f'(s) atan(sqrt((c^2 - a^2)/(a^2 - s^2))) over a piece. In the square root of the
+ * distance from its end the integrand is smooth at a, too. */
+static double opened_by(const integral *q, const po_scene *scene, double a, double from,
+                        double to) {
+  const double ring = sqrt((q->to - a) * (q->to + a));
+  double sum = 0.0;
+  for (int i = 0; i < PIECE_POINTS; ++i) {
+    const double v = q->node[i], s = to - (to - from) * v * v;
+    const double inside = sqrt((a - to + (to - from) * v * v) * (a + s));
+    sum += q->weight[i] * 2.0 * v * (to - from) * po_initial_gap_slope(scene, s) *
+           po_atan2(ring, inside);
+  }
+  return sum;
+}
+
+/* With g as the integral of f', the order of both integrals is changed. That of one radius s inside
+ * is an arc tangent, that of one outside pi/2, so that no transform is needed. */
+static double opened(const integral *q, double a) {
+  po_scene scene = *q->scene;
+  scene.profile = q->profile;
+  const po_profile_table *t = q->profile.table;
+  double sum = M_PI_2 * (po_initial_gap(&scene, q->to) - po_initial_gap(&scene, a));
+  size_t row = po_order_last_up_to(t->r, t->rows, a);
+  for (double to = a, from; to > 0.0; to = from) {
+    if (t->r[row] == to)
+      --row;
+    from = piece_begin(q, t->r[row], a, to);
+    sum += opened_by(q, &scene, a, from, to);
+  }
+  return sum;
+}
+
+double po_abel_opening(const po_scene *scene, double a, double approach, double c) {
+  integral q = {.scene = scene, .profile = scene->profile, .to = c};
+  q.profile.table = table_of(scene);
+  if (!q.profile.table || !(a > 0.0) || !(piece_end(&q, a) < c))
+    return po_abel_integral(scene, a, c, true, less, &approach);
+  if (po_gauss_rule(PIECE_POINTS, q.node, q.weight) || po_deadline_check())
+    return NAN;
+  return opened(&q, a) - approach * angle_of(a, c);
+}
+
 double po_abel_gap(const po_scene *scene, double a, double approach, double r) {
-  return M_2_PI * po_abel_integral(scene, a, r, true, less, &approach);
+  return M_2_PI * po_abel_opening(scene, a, approach, r);
 }

@@ -56,6 +56,11 @@ typedef double (*po_abel_integrand)(double x, po_abel t, const void *data);
 double po_abel_integral(const po_scene *scene, double from, double to, bool to_edge,
                         po_abel_integrand f, const void *data);
 
+/* The integral of (g(x) - approach)/sqrt(c^2 - x^2) over x from a to c. Of a table with joints
+ * between a and c it takes as many terms as there are rows, not their square. Accuracy and NaN as
+ * above (tests/theory/test_tables_profiles.c). */
+double po_abel_opening(const po_scene *scene, double a, double approach, double c);
+
 /* The gap, eps, at a radius r > a outside a contact of radius a in equilibrium without tension
  * beyond it: (2/pi) times the integral of (g(x) - approach)/sqrt(r^2 - x^2) over x from a to r. */
 double po_abel_gap(const po_scene *scene, double a, double approach, double r);

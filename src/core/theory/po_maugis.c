@@ -25,11 +25,6 @@ static lengths lengths_of(const ring *m, double width) {
   return (lengths){m->a + width, s, po_atan2(s, m->a)};
 }
 
-static double less(double x, po_abel t, const void *data) {
-  (void)x;
-  return t.g - *(const double *)data;
-}
-
 static double shortest_wave(const po_scene *scene) {
   double length = INFINITY;
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
@@ -41,7 +36,7 @@ static double shortest_wave(const po_scene *scene) {
 static double excess_gap(double width, const void *data) {
   const ring *m = data;
   const lengths l = lengths_of(m, width);
-  const double profile = po_abel_integral(m->scene, m->a, l.c, true, less, &m->at.g);
+  const double profile = po_abel_opening(m->scene, m->a, m->at.g, l.c);
   if (m->work)
     *m->work += 1.0 + width / shortest_wave(m->scene);
   return M_2_PI * (profile + 2.0 * m->tension * m->coupling * (l.s * l.angle - width)) -
@@ -376,7 +371,7 @@ static double from_tension(double x, po_abel t, const void *data) {
 
 static double gap_at(const ring *m, const lengths *l, double r) {
   const two_radii at = {r, l->c};
-  const double profile = po_abel_integral(m->scene, m->a, r, true, less, &m->at.g);
+  const double profile = po_abel_opening(m->scene, m->a, m->at.g, r);
   const double angle = po_atan2(sqrt((r - m->a) * (r + m->a)), m->a);
   const double part = po_abel_integral(m->scene, m->a, fmin(r, l->c), true, from_tension, &at);
   return M_2_PI * (profile + 2.0 * m->tension * m->coupling * (l->s * angle - part));
