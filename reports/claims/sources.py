@@ -101,7 +101,7 @@ class Sources:
         self.program, self.run, self.kept = program, run, kept
         self.trees = [paper, tree] if paper else [tree]   # a table is looked for in the folder of the paper first
         self.used = set()
-        self.same = {}      # commands that are not run, by the command with the same force (preloads.py)
+        self.shared = {}    # what is read of commands that are not run (preloads.py)
         self.seconds = 0.0
         with open(program, "rb") as stream:
             self.digest = hashlib.sha256(stream.read()).hexdigest()
@@ -120,7 +120,7 @@ class Sources:
         return os.path.join(self.kept, key + ".json")
 
     def prepare(self, wanted):
-        """Runs the commands of these sources, one on each core, but not those whose force that of another one gives. A failure
+        """Runs the commands of these sources, one on each core, but not those whose force the branch of another one gives. A failure
         is reported by get, which runs the command again."""
         paths = {}
         for source in wanted:
@@ -128,14 +128,15 @@ class Sources:
                 paths.setdefault(line, []).append(source["at"])
         scenes = preloads.scenes(paths)
         with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-            shared = [pool.submit(preloads.same_force, lines, self.attempt) for lines in scenes]
-            for line in paths.keys() - set(itertools.chain.from_iterable(scenes)):
+            made = [pool.submit(preloads.share, run, others, self.attempt) for run, others in scenes]
+            for line in itertools.filterfalse(preloads.scene_of, paths):
                 pool.submit(self.attempt, line)
-        self.same = {line: other for made in shared for line, other in made.result().items()}
+        self.shared = {line: part for each in made for line, part in each.result().items()}
 
     def document(self, line):
-        """The JSON document that a command prints, or one with the same force."""
-        line = self.same.get(line, line)
+        """The JSON document that a command prints, or what is read of it."""
+        if line in self.shared:
+            return self.shared[line]
         path = self.path_of(line)
         self.used.add(path)
         try:

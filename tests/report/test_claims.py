@@ -535,40 +535,69 @@ class Robust(unittest.TestCase):
 class Preloads(unittest.TestCase):
     """Commands that differ only in the preload."""
 
-    STEPS = {"": (-1, 4.8, 14.4), "-load": (0, 0.7, 1.3)}           # where the force grows, and its load
+    # A made-up branch: approach, load, and what is there. The force grows beyond the approaches -1, 4.8 and 14.4, and the loads
+    # -0.01, 0.7 and 1.3.
+    BRANCH = ((-3, -0.01, None), (-1, -1, "minimum"), (4, 0.7, "maximum"), (4.8, 0.6, "jump_in"), (3, -2, "minimum"), (2, -1, None),
+              (14, 1.3, "maximum"), (14.4, 1.2, "jump_in"), (12, -1.5, "minimum"), (11, -1.4, "maximum"), (10, -3, "minimum"), (24, 4, None))
     VALUES = {"": (-2, 0, 1, 3, 4.8001, 5, 5.5, 6, 9, 20, 21), "-load": (0, 0.1, 0.2, 0.3, 0.65, 0.7, 0.8, 1.2, 2, 3)}
 
+    def setUp(self):
+        self.run, self.given = [], {}
+
     def document(self, line):
-        """A made-up scene; it fails without a minimum before the preload, and at the preload 5.5."""
+        """The branch up to a preload; it fails without a minimum before it, and at the preload 5.5."""
         self.run.append(line)
         _, of_load, value = preloads.scene_of(line)
-        steps = [step for step in self.STEPS["-load" if of_load else ""] if step <= value]
-        if not steps or value == 5.5:
+        points = [{"position": place, "approach": approach, "load": load, "kind": kind, "load_error_estimate": 1e-9}
+                  for place, (approach, load, kind) in enumerate(self.BRANCH)]
+        key = "load" if of_load else "approach"
+        end = next(place for place, point in enumerate(points) if point[key] >= value)
+        minima = [-point["load"] for point in points[:end] if point["kind"] == "minimum"]
+        if not minima or value == 5.5:
             return None
-        return {"pull_off": {"force": len(steps), "preload": {"approach": None if of_load else steps[-1]}}}
+        return {"input": {"tabor": 3, "preload": value}, "pull_off": {"force": max(minima)}, "ended": {**points[end], key: value},
+                "folds": [point for point in points[:end] if point["kind"] == "jump_in"],
+                "extrema": [point | self.given for point in points[:end] if point["kind"] in ("minimum", "maximum")]}
 
-    def lines(self, kind):
-        return [f"solve --tabor 3 --preload{kind} {value} --tolerance 1e-3" for value in self.VALUES[kind]]
+    def lines(self, *kinds):
+        return [f"solve --tabor 3 --preload{kind} {value} --tolerance 1e-3" for kind in kinds for value in sorted(self.VALUES[kind], reverse=True)]
+
+    def shared(self, *kinds):
+        return preloads.share([], self.lines(*kinds), self.document)
 
     def test_what_is_not_run_has_the_force_of_what_is_run(self):
-        for kind, most in (("", 6), ("-load", 7)):
+        for kinds, most in ((("",), 4), (("-load",), 3), (("", "-load"), 5)):
             self.run = []
-            lines = self.lines(kind)
-            same = preloads.same_force(lines, self.document)
-            self.assertLessEqual(len(set(self.run)), most)
-            self.assertEqual(set(same) | set(self.run), set(lines))
-            for line, other in same.items():
-                self.assertNotIn(line, self.run)
+            shared = self.shared(*kinds)
+            self.assertLessEqual(len(self.run), most)
+            self.assertEqual(sorted([*shared, *self.run]), sorted(self.lines(*kinds)))
+            for line, part in shared.items():
+                self.assertEqual(part["input"], {"tabor": 3})
                 if "5.5" not in line:
-                    self.assertEqual(self.document(line)["pull_off"]["force"], self.document(other)["pull_off"]["force"])
+                    self.assertEqual(part["pull_off"], self.document(line)["pull_off"], line)
+
+    def test_what_a_branch_does_not_decide_is_run(self):
+        self.shared("", "-load")
+        self.assertLess({line for line in self.lines("", "-load") if re.search("4.8001| 0.7| -2", line)}, set(self.run))
+        self.run, self.given = [], {"load_error_estimate": None}    # forces without an error
+        self.assertEqual((self.shared(""), sorted(self.run)), ({}, sorted(self.lines(""))))
+        made = self.document("solve --preload 21")
+        self.given = {}
+        self.assertIsNone(preloads.force_at(made, False, 9))
+        made = self.document("solve --preload 21")
+        self.assertEqual(preloads.force_at(made, False, 9), 2)
+        self.assertIsNone(preloads.force_at(made, False, 22))       # beyond its end
+        made["pull_off"]["force"] = 2.5                             # not the depth of a minimum on it
+        self.assertIsNone(preloads.force_at(made, False, 9))
 
     def test_which_commands_belong_together(self):
-        lines = self.lines("") + self.lines("-load") + ["solve --tabor 4 --preload 1", "theory jkr --tabor 3 --preload-load 1"]
-        read = {line: ["pull_off.force", "input.tabor"] for line in reversed(lines)}
-        self.assertEqual(sorted(map(len, preloads.scenes(read))), [1, len(self.VALUES["-load"]), len(self.VALUES[""])])
-        self.assertIn(self.lines(""), preloads.scenes(read))
+        lines = self.lines("", "-load")
+        other = "solve --tabor 4 --preload 1"
+        read = {line: ["pull_off.force", "input.tabor"] for line in reversed([*lines, other, "theory jkr --tabor 3 --preload-load 1"])}
+        self.assertCountEqual(preloads.scenes(read), [([], lines), ([], [other])])
         for path in ("pull_off.approach", "input.preload", "input.preload_load", "folds.#"):
-            self.assertEqual(preloads.scenes({lines[0]: ["pull_off.force", path]}), [])
+            read[lines[4]] = ["pull_off.force", path]
+            self.assertIn(([lines[4]], lines[:4] + lines[5:]), preloads.scenes(read))
 
 
 class Brief(unittest.TestCase):
