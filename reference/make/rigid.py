@@ -123,20 +123,26 @@ def combination(q, order):
 # Route 2.
 
 @lru_cache(maxsize=None)
-def tanh_sinh(step):
-    """Nodes, as distances from the nearer end of 0..1, and weights, in extended precision."""
+def tanh_sinh(step, kind):
+    """Nodes, as distances from the nearer end of 0..1, and weights, as numbers of a kind."""
     count = math.ceil(4.2 / step)
-    u = np.arange(-count, count + 1).astype(LONG) * LONG(step)
+    u = np.arange(-count, count + 1).astype(kind) * kind(step)
     s = PI / 2 * np.sinh(np.abs(u))
     distance = 1 / (1 + np.exp(2 * s))
-    weight = PI / 4 * np.cosh(u) / np.cosh(s) ** 2 * LONG(step)
+    weight = PI / 4 * np.cosh(u) / np.cosh(s) ** 2 * kind(step)
     return u < 0, distance, weight
 
 
+@lru_cache(maxsize=None)
+def bernoulli(number):
+    numerator, denominator = bernfrac(number)
+    return LONG(numerator) / denominator
+
+
 def folded_sum(start, offset, power):
-    """sum_{n >= 0} (n + a)/((n + a)^2 + offset)^power; start = a, offset > 0, both arrays."""
+    """sum_{n >= 0} (n + a)/((n + a)^2 + offset)^power; start = a, offset > 0, both arrays, or rows of offsets."""
     direct = 14
-    total = np.zeros_like(start)
+    total = np.zeros_like(offset)
     for n in range(direct):
         t = start + n
         total += t / (t * t + offset) ** power
@@ -154,15 +160,14 @@ def folded_sum(start, offset, power):
     for m in range(1, count // 2):
         odd = 2 * m - 1
         derivative_over_factorial = t * inverse[odd] + inverse[odd - 1]
-        numerator, denominator = bernfrac(2 * m)
-        total -= LONG(numerator) / denominator / (2 * m) * derivative_over_factorial
+        total -= bernoulli(2 * m) / (2 * m) * derivative_over_factorial
     return total
 
 
-def folded_integral(alpha, amplitude, x, order, step=1 / 64):
+def folded_integral(alpha, amplitude, x, order, step=1 / 64, kind=LONG):
     """The same integral: first the sum over periods, then tanh-sinh quadrature over a period."""
     scale = amplitude / (2 * alpha)        # A t^2/(8 pi^2 alpha) = scale (n + a)^2, a = phi/(2 pi)
-    from_left, distance, weight = tanh_sinh(step)
+    from_left, distance, weight = tanh_sinh(step, kind)
     total = LONG(0)
     for half in (0, 1):                    # 0..pi and pi..2 pi: crests at the outer ends
         turn = np.where(from_left, distance, 1 - distance) / 2      # from the crest of this half
@@ -171,7 +176,7 @@ def folded_integral(alpha, amplitude, x, order, step=1 / 64):
         offset = (x + wave) / scale
         for coefficient, power in TERMS[order]:
             value = folded_sum(start, offset, power) * scale ** -power
-            total += coefficient * np.sum(value * weight) * PI * 2 * PI
+            total += coefficient * np.sum(value * weight, axis=-1) * PI * 2 * PI
     return total
 
 
@@ -203,7 +208,7 @@ def curve_points():
     for alpha in CURVES:
         steps = math.floor((1 / NEAR_DISTANCE - 1 / FAR_DISTANCE) / CURVE_STEP)
         xs = [round(1 / (1 / FAR_DISTANCE + k * CURVE_STEP), 5) for k in range(steps + 1)]
-        kept = [x for x in xs if load(coarse, LONG(alpha), LONG(1), LONG(x)) < LAST_LOAD]
+        kept = [x for x, value in zip(xs, load(coarse, LONG(alpha), LONG(1), np.array(xs))) if value < LAST_LOAD]
         points += [(alpha, "1", str(i + 1), f"{1 - x:.5f}") for i, x in enumerate(kept)]
     return points
 
@@ -219,7 +224,7 @@ def pull_off(alpha, amplitude):
     Above x = 3^(1/6) = 1.2009 the tension at every point decreases with x, so there is no minimum.
     """
     xs = np.concatenate([np.geomspace(0.08, 0.5, 30), np.linspace(0.5, 1.21, 143)[1:]]).astype(LONG)
-    loads = [load(coarse, alpha, amplitude, x) for x in xs]
+    loads = load(coarse, alpha, amplitude, xs)
     found = []
     for i in range(1, len(xs) - 1):
         if loads[i - 1] >= loads[i] <= loads[i + 1]:
@@ -228,8 +233,9 @@ def pull_off(alpha, amplitude):
     return min(found)[1]
 
 
-def coarse(alpha, amplitude, x, order):
-    return folded_integral(alpha, amplitude, x, order, step=1 / 24)
+def coarse(alpha, amplitude, xs, order):
+    """At many x, for scans, which need no extended precision."""
+    return folded_integral(alpha, amplitude, xs[:, None].astype(float), order, 1 / 24, float)
 
 
 def refine(route, alpha, amplitude, x, steps=15):
