@@ -64,8 +64,8 @@ forget_foreign_build() {
   fi
 }
 
-# configure_and_build DIR LABEL MESON-OPTION...: builds $build_targets; if it is not set, everything.
-configure_and_build() {
+# configure DIR LABEL MESON-OPTION...
+configure() {
   folder=$1
   suffix=$2
   shift 2
@@ -74,6 +74,11 @@ configure_and_build() {
     step "Configuring$suffix" meson setup "$folder" "$@"
     pwd -P >"$folder/source-tree"
   fi
+}
+
+# configure_and_build DIR LABEL MESON-OPTION...: builds $build_targets; if it is not set, everything.
+configure_and_build() {
+  configure "$@"
   # The list is split into words on purpose.
   # shellcheck disable=SC2086
   step "Building$suffix" meson compile -C "$folder" ${build_targets:-}
