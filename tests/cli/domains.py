@@ -53,7 +53,7 @@ def accepts(program, folder, key, value):
     case.write_text("name: tried\ntitle: T\nsuites: [own]\nwant: [pull_off]\nscene: {"
                     + ", ".join(f"{name}: {one}" for name, one in scene.items() if one is not None) + "}\n")
     done = subprocess.run([program, "plan", str(case)], capture_output=True, text=True, check=False,
-                          env={"PULLOFF_DATA": str(ROOT), "PATH": "/usr/bin:/bin"})
+                          env={"PULLOFF_DATA": folder, "PATH": "/usr/bin:/bin"})
     return done.returncode == 0, done.stderr.strip()
 
 
@@ -61,6 +61,8 @@ def main():
     page = (ROOT / "doc/cases.md").read_text().split("## Scene", 1)[1].split("\n## ", 1)[0]
     tried, failed, keys = 0, 0, set()
     with tempfile.TemporaryDirectory(prefix="pulloff-domains-") as folder:
+        for name in ("cases", "reference"):    # without other cases, all of which a plan reads
+            pathlib.Path(folder, name).mkdir()
         pathlib.Path(folder, "table.csv").write_text("r,gap\n" + "".join(f"{r},{r * r / 200}\n" for r in range(9)))
         for key, domain in domains(page, (ROOT / "doc/guide.md").read_text()):
             for value, inside in trials(key, domain):
