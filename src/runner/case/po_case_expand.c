@@ -33,7 +33,7 @@ static unsigned count_of_sweep(const po_sweep *sweep) {
 static const char *value_of_sweep(const po_sweep *sweep, unsigned index, po_key key) {
   if (sweep->together)
     return sweep->together[index].values[key];
-  return po_texts_key(sweep->axis.key) == key ? sweep->axis.values[index] : NULL;
+  return strcmp(PO_KEYS[key].name, sweep->axis.key) == 0 ? sweep->axis.values[index] : NULL;
 }
 
 /* The setting of an item of the sweep in combination number `index` of sample and sweep: the last

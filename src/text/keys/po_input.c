@@ -76,7 +76,7 @@ int po_key_of_name(const char *name) {
 
 int po_texts_key(const char *name) {
   for (int key = 0; key < PO_KEY_ALL; ++key)
-    if (strcmp(PO_KEYS[key].name, name) == 0)
+    if (PO_KEYS[key].name[0] == name[0] && strcmp(PO_KEYS[key].name, name) == 0)
       return key;
   return -1;
 }
