@@ -95,3 +95,24 @@ TEST(far_energy_of_a_table_is_exact) {
   const double expected = sum + far_energy(&scene, 120.0);
   ck_assert_double_eq_tol(far_energy(&scene, 41.0), expected, 1e-9 * fabs(expected));
 }
+
+static double cone_by_rows(double r) {
+  return 0.1432 * r * (1.0 + 1e-9 * r);
+}
+
+/* The energy far out goes as r^(2 - 2N). Rows that are those of a cone but for their last digits
+ * must not have 1e7 times the energy of the cone. */
+TEST(rows_of_a_cone_have_the_energies_of_the_cone) {
+  po_scene rows = scene_of(&BODIES[0]), cone = rows;
+  rows.profile = table_of(cone_by_rows, 61, 120.0, 1.0);
+  cone.profile = po_profile_sphere();
+  ck_assert(po_profile_set(&cone.profile, "cone:0.1432"));
+  po_result of_rows = pull_off_of(&rows, 1e-6), of_cone = pull_off_of(&cone, 1e-6);
+  ck_assert_uint_ge(of_cone.extremum_count, 1);
+  ck_assert_uint_eq(of_rows.extremum_count, of_cone.extremum_count);
+  const po_special_point *a = &of_rows.extrema[0], *b = &of_cone.extrema[0];
+  ck_assert_double_eq_tol(a->load, b->load, 1e-5 * fabs(b->load));
+  ck_assert_double_eq_tol(a->energy, b->energy, 1e-5 * fabs(b->energy));
+  po_result_clear(&of_rows);
+  po_result_clear(&of_cone);
+}

@@ -153,9 +153,15 @@ bool po_scene_is_of_paper(const po_scene *scene) {
   return po_profile_is_sphere(&scene->profile) && po_scene_waves(scene) < 2;
 }
 
+/* Where the power of the energy exceeds 2 by less than this, the energy far out is more than ten
+ * thousand times that of the contact, and the rounding of N decides it: the rows of a cone may give
+ * N = 1 + 1e-7. */
+static const double BARELY_FINITE = 1e-4;
+
 bool po_scene_has_infinite_energy(const po_scene *scene) {
   const double fall = po_law_numbers_of(&scene->law)->exponent - 1.0;
-  return isinf(scene->outer_radius) && fall * po_profile_shape(&scene->profile).growth <= 2.0;
+  return isinf(scene->outer_radius) &&
+         fall * po_profile_shape(&scene->profile).growth <= 2.0 + BARELY_FINITE;
 }
 
 /* The greatest decay on a panel to infinity. Its outermost node is at 1/0.0053 of its beginning,

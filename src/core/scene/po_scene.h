@@ -71,8 +71,9 @@ bool po_scene_is_simple(const po_scene *scene);
 bool po_scene_is_of_paper(const po_scene *scene);
 
 /* Whether the energy of the interaction far out, in proportion to the integral of r^(N(1-m)) r dr
- * with the powers m of the law and N of the profile, is infinite. Energies are then relative to
- * that of the initial gap at approach 0, far out. */
+ * with the powers m of the law and N of the profile, is infinite, or so large that N is not known
+ * well enough for it. Energies are then relative to that of the initial gap at approach 0, far out.
+ */
 bool po_scene_has_infinite_energy(const po_scene *scene);
 
 /* The power with which the traction of an unbounded surface falls far out: the exponent of the law
