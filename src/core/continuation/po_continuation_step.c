@@ -6,6 +6,7 @@
 #include "po_continuation_internal.h"
 #include "po_elementary.h"
 #include "po_hermite.h"
+#include "po_margins.h"
 
 /* Error of the prediction, relative to 1 + H, that a step aims at, and the greatest that is
  * accepted. With a limit of 0.14 a step passed over the two folds of mu = 4 that are within 1e-4 of
@@ -20,12 +21,6 @@ static const double GREATEST_ERROR_OF_WAVES = 0.03;
 /* First change of Newton's method, relative to the greatest error, at which an attempt is given up.
  */
 static const double FAR_GUESS = 1.25;
-
-/* Greatest growth of the factor of the error from one step to the next that is expected. */
-static const double GREATEST_INCREASE = 4.0;
-
-/* Greatest ratio of the lengths of successive steps. */
-static const double GREATEST_GROWTH = 2.0;
 
 /* Least cosine of the angle between the directions at both ends of a step. */
 static const double LEAST_COSINE = 0.7;
@@ -173,19 +168,20 @@ static double greatest_error(const po_continuation *t) {
 /* The length of a step with the aimed error, from the error of the step just made. The error of the
  * tangent goes as the square of the length; that of the cubic as the square of the length times the
  * distance from the previous point, times a factor that changes along the branch: where it grows,
- * it is expected to grow once more as it did in the last step. */
+ * it is expected to grow once more as it did in the last step, but to shorten the step by no more
+ * than a step may grow. */
 static double next_step(po_continuation *t, const po_prediction *p, double step, double error) {
   const double known = t->error_factor, ratio = sqrt(AIMED_ERROR / fmax(error, 1e-30));
   t->error_factor = NAN;
   if (!p->cubic)
-    return step * fmin(ratio, GREATEST_GROWTH);
+    return step * fmin(ratio, PO_STEP_GROWTH);
   const double before = fabs(po_solution_progress(&t->current, &t->previous));
   const double way = step * (step + before);
   t->error_factor = on_panels(t) ? error / (way * way) : (double)NAN;
   const double growth = isnan(known) ? 1.0 : t->error_factor / known;
-  const double product = ratio * way / sqrt(fmax(1.0, fmin(growth, GREATEST_INCREASE)));
+  const double product = ratio * way / fmax(1.0, fmin(sqrt(growth), PO_STEP_GROWTH));
   const double longer = 0.5 * (sqrt(step * step + 4.0 * product) - step);
-  return fmin(longer, GREATEST_GROWTH * step);
+  return fmin(longer, PO_STEP_GROWTH * step);
 }
 
 /* Distance of the curve from the cubic of the present step, from the error with which the cubic of
@@ -321,13 +317,13 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
   const bool far_off = error > greatest_error(t);
   if (far_off || po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
     a->reason = far_off ? FAR_OFF : TURNED;
-    a->next = a->step * fmax(0.25, fmin(0.7, sqrt(sqrt(AIMED_ERROR / error))));
+    a->next = a->step * fmax(PO_STEP_CUT, fmin(0.7, sqrt(sqrt(AIMED_ERROR / error))));
     return PO_NOT_CONVERGED;
   }
   const double joined = JOIN_MARGIN * joined_for(t);
   if (joined < JOIN_MARGIN) {
     a->reason = BENT;
-    a->next = a->step * fmax(0.25, joined);
+    a->next = a->step * fmax(PO_STEP_CUT, joined);
     return PO_NOT_CONVERGED;
   }
   a->reason = UNLOCATED;

@@ -15,9 +15,8 @@
 /* MARKS: solutions through which the predictor goes. */
 enum { ROOT_LEVEL = 3, MARKS = 4 };
 
-/* Greatest error of the predictor, relative to 1 + H, with which a step is accepted; and the error
- * below which the next step is longer. */
-static const double GREATEST_PREDICTOR_ERROR = 0.4, SMALL_PREDICTOR_ERROR = 0.1;
+/* Greatest error of the predictor, relative to 1 + H, with which a step is accepted. */
+static const double GREATEST_PREDICTOR_ERROR = 0.4;
 /* Length of the first step, relative to the distance to the parameter asked for. The first step
  * shows how the special point moves. */
 static const double FIRST_PART = 0.02;
@@ -376,7 +375,7 @@ po_status po_follow_to(po_follower *f, double at) {
     }
     accept(f, to);
     if (f->count > 2)
-      f->step = error < SMALL_PREDICTOR_ERROR ? fmax(2.0 * fabs(step), f->step) : fabs(step);
+      f->step = error < PO_NEAR_SOLUTION ? fmax(2.0 * fabs(step), f->step) : fabs(step);
     left = last ? 0.0 : at - to;
   }
   return PO_OK;

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "po_initial_gap.h"
+#include "po_margins.h"
 
 /* Secant steps for a special point on the finer mesh. */
 enum { MOST_SOLVES = 5 };
@@ -24,8 +25,6 @@ static const double AT_ROOT = 1e-11;
 /* First step of the secant method along the arclength functional if the slope is unknown. Narrow
  * minima of the load are a hundred times as wide. */
 static const double TRIAL_STEP = 1e-5;
-
-const double PO_SAFETY = 3.0;
 
 /* Factor of the precision of Newton's method in the stated error of a special point. */
 static const double FLOOR = 10.0;

@@ -6,10 +6,6 @@
 #include "po_corrector.h"
 #include "po_special_point.h"
 
-/* The factor of a change in the stated error: of a value on a finer mesh, of an energy on finer
- * panels, of energies by the cubics between points. */
-extern const double PO_SAFETY;
-
 /* Estimated bound of the error of a value. Given: precision of Newton's method (po_equilibrium.h);
  * change of the value on a finer mesh; the value. */
 double po_refine_error(double precision, double change, double value);

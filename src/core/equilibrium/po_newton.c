@@ -10,6 +10,7 @@
 #include "po_equilibrium.h"
 #include "po_krylov.h"
 #include "po_linear.h"
+#include "po_margins.h"
 
 /* A change, relative to 1 + H, that may be due to rounding, with a wide margin. A smaller change
  * that no longer decreases is accepted as converged, and Broyden's method makes no update from it.
@@ -257,16 +258,12 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
   return PO_NOT_CONVERGED;
 }
 
-/* The same of a linear system, relative to the precision of its solution: where the factors miss
- * the Jacobian, the solution errs by more than the residual. */
-static const double KRYLOV_OF_TANGENT = 0.1;
-
 /* Updates that were made of changes near rounding may prevent convergence: without them, the
  * factors alone decide. */
 po_status po_equilibrium_solve(po_equilibrium *e, const double *unit, double precision,
                                double *solution) {
   if (e->by_krylov)
-    return po_krylov_solve(e, e->source, KRYLOV_OF_TANGENT * precision, solution);
+    return po_krylov_solve(e, e->source, PO_PART_OF_TOLERANCE * precision, solution);
   const po_status status = solve_linear(e, unit, precision, solution);
   if (!status || e->secant.count == 0)
     return status;

@@ -6,6 +6,7 @@
 
 #include "po_elementary.h"
 #include "po_hermite.h"
+#include "po_margins.h"
 #include "po_memory.h"
 #include "po_path.h"
 #include "po_solve.h"
@@ -405,14 +406,14 @@ static void continue_beyond(const po_scene *scene, po_particle_law *law) {
 /* The part of the error that is left for the fit; the part by which the energy lost of the table
  * may differ from that of the solver, a half of the thousandth that is promised; attempts with a
  * quarter of the tolerance each. */
-static const double OF_FIT = 0.8, OF_LOSS = 5e-4, FINER = 0.25;
+static const double OF_FIT = 0.8, OF_LOSS = 5e-4;
 enum { MOST_FITS = 8 };
 
 static po_status fit_law(const curve *out, const curve *in, double error, po_particle_law *law) {
   const po_particle_numbers *n = &law->numbers;
   const double of_radius = OF_RADIUS * error;
   double tolerance = OF_FIT * error * n->pull_off;
-  for (int k = 0; k < MOST_FITS; ++k, tolerance *= FINER) {
+  for (int k = 0; k < MOST_FITS; ++k, tolerance *= PO_STEP_CUT) {
     po_status status = tabulate(in, tolerance, of_radius, &law->in);
     if (!status && n->jumps)
       status = tabulate(out, tolerance, of_radius, &law->out);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "po_hermite.h"
+#include "po_margins.h"
 #include "po_memory.h"
 #include "po_root.h"
 
@@ -192,9 +193,6 @@ static void compare_derivatives(const po_path *path, size_t index, size_t from, 
   fourth->load = fmax(fourth->load, fabs(other.load - own.load) / distance);
 }
 
-/* Factor of the estimated distance of the curve from a cubic. */
-static const double OF_MISS = 3.0;
-
 /* A bound of the error of the held quantity by the cubics at a place. The error of a cubic is the
  * fourth derivative over 24, times the squares of the distances from both ends; the derivative is
  * the change of the third one from the segments beside it. Where the curve changes manifold from
@@ -216,7 +214,7 @@ static double held_miss(const po_path *path, po_control control, po_path_place p
   if (after > k + 1)
     compare_derivatives(path, k, k + 1, after, &fourth);
   const double inside = h * h * place.fraction * (1.0 - place.fraction);
-  const double part = OF_MISS * inside * inside / 24.0;
+  const double part = PO_SAFETY * inside * inside / 24.0;
   return po_held(control, fmin(path->miss, part * fourth.approach), /* ignores NAN */
                  fmin(path->miss, part * fourth.load));
 }

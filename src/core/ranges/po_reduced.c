@@ -7,8 +7,8 @@
 #include "po_memory.h"
 #include "po_reduced_internal.h"
 
-/* Ranges between two traces, and how many traces in a row may fail. */
-enum { APART = 2, FAILURES = 4 };
+/* How many traces in a row may fail. */
+enum { FAILURES = 4 };
 
 /* -- Traces -- */
 
@@ -398,7 +398,7 @@ static po_status go_on(search *s, po_reduced_solver *solve, int *failures, po_re
   po_work_add(&s->now.result.work, &s->work);
   const bool fails = status || !s->now.result.has_pull_off || !pull_off_of(&s->now);
   *failures = fails ? *failures + 1 : 0;
-  s->next = at + (fails ? 1 : APART);
+  s->next = at + (fails ? 1 : PO_RANGE_STRIDE);
   if (fails) {
     take_result(s, result);
     clear_trace(&s->before);
@@ -410,7 +410,7 @@ static po_status go_on(search *s, po_reduced_solver *solve, int *failures, po_re
   clear_trace(&s->before);
   s->before = s->now;
   s->now = no_trace();
-  if (s->next != s->before.at + APART)
+  if (s->next != s->before.at + PO_RANGE_STRIDE)
     clear_trace(&s->before);
   return status;
 }

@@ -18,6 +18,9 @@ typedef struct {
   int all;   /* of those to which a jump of loading is followed */
 } po_ranges;
 
+/* Ranges from a trace to the next one: each has half the range of the one before. */
+enum { PO_RANGE_STRIDE = 2 };
+
 /* Part of the tolerance at which an extrapolated number is accurate enough. */
 static const double PO_RANGE_ENOUGH = 0.5;
 

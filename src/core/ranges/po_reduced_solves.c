@@ -4,8 +4,8 @@
 #include "po_load_unit.h"
 #include "po_reduced_internal.h"
 
-/* Every second range, of which each is half the one before; and the most of them. */
-enum { SOLVES = PO_RANGES_OF_LIMIT, STRIDE = 2, MOST = 9 };
+/* The most ranges that are solved. */
+enum { SOLVES = PO_RANGES_OF_LIMIT, MOST = 9 };
 
 /* The traces of staircases end at this multiple of the preload, or of the default one: each is made
  * six times, and that to a hundred times takes five times as long. */
@@ -64,7 +64,7 @@ po_status po_range_solves_make(const po_ranges *ranges, unsigned want, po_range_
   *known = false;
   for (int at = 0, made = 0;
        at < ranges->count && made < MOST && !status && excess > PO_RANGE_ENOUGH;
-       at += STRIDE, ++made) {
+       at += PO_RANGE_STRIDE, ++made) {
     status = add_range(s, ranges->range[at], want, solve, work);
     const bool fails = status && !po_reduced_ends(status);
     if (fails)

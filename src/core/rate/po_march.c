@@ -6,6 +6,7 @@
 
 #include "po_law.h"
 #include "po_march_internal.h"
+#include "po_margins.h"
 
 /* The length of the first step, and of the first after a jump, eps; the greatest growth of a step;
  * and the shortest step of the glassy body, below which the contact jumps. */
@@ -228,10 +229,11 @@ static po_status advance(po_march *m, double *length) {
 
 /* A jump changes the load, relative to 1 + its modulus, or the contact radius, relative to 1 + the
  * radius, by more than this; at a held load the approach, eps. Where all change less, the fold was
- * not passed yet, and the base is moved by more: at most by
- * LONGEST_MOVE, eps, or, if that is more, by the longest step of this phase, as long as it is
- * within the tolerance of the approach. */
-static const double LEAST_JUMP = 0.01, MORE = 4.0, LONGEST_MOVE = 1e-3;
+ * not passed yet, and the base is moved by more: at most by the length of a first step or, if that
+ * is more, by the longest step of this phase, as long as it is within the tolerance of the
+ * approach.
+ */
+static const double LEAST_JUMP = 0.01;
 
 static bool is_jump(const po_march *m, const po_rate_point *before, const po_rate_point *after) {
   return (m->holds == PO_HOLD_LOAD && fabs(after->approach - before->approach) > LEAST_JUMP) ||
@@ -250,8 +252,8 @@ static po_status step(po_march *m, bool *jumped) {
   const po_rate_point before = m->held.point;
   const double tolerance = m->options.misfit * m->options.misfit;
   const double longest =
-      fmax(LONGEST_MOVE, fmin(m->longest, tolerance * (1.0 + fabs(before.approach))));
-  for (;; length *= MORE) {
+      fmax(FIRST_LENGTH, fmin(m->longest, tolerance * (1.0 + fabs(before.approach))));
+  for (;; length /= PO_STEP_CUT) {
     status = po_march_jump(m, length);
     *jumped = !status && is_jump(m, &before, &m->next.point);
     if (status || *jumped || length > longest)

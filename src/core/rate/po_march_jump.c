@@ -14,10 +14,10 @@
 
 #include "po_law.h"
 #include "po_march_internal.h"
+#include "po_margins.h"
 
-/* x of the first step, and the factors by which it grows at most after a step and falls if no
- * equilibrium is found or the gap changes too much. */
-static const double FIRST = 1.0, GROWTH = 2.0, CUT = 0.25, LEAST = 1e-8;
+/* x of the first step, and the least one. */
+static const double FIRST = 1.0, LEAST = 1e-8;
 
 /* Change of the gap that a step aims at and greatest one, relative to 1 + H. */
 static const double AIM = 0.6, GREATEST_CHANGE = 1.0;
@@ -103,7 +103,7 @@ po_status po_march_jump(po_march *m, double length) {
       return status;
     const double change = status ? INFINITY : change_of(m);
     if (!(change < GREATEST_CHANGE)) {
-      x *= CUT;
+      x *= PO_STEP_CUT;
       continue;
     }
     move_on(m);
@@ -123,7 +123,7 @@ po_status po_march_jump(po_march *m, double length) {
       arrive(m, &scene, energy, &before, length);
       return PO_OK;
     }
-    x *= fmin(GROWTH, AIM / change);
+    x *= fmin(PO_STEP_GROWTH, AIM / change);
   }
   return po_fail(PO_STEP_TOO_SMALL,
                  "no stable equilibrium follows a jump of the contact at approach %.6g, load %.6g",

@@ -5,6 +5,7 @@
 
 #include "po_elementary.h"
 #include "po_initial_gap.h"
+#include "po_margins.h"
 
 /* W = 0 in Eq 7 at a contact radius of 2.42 Gamma. */
 static const double CONTACT_OF_SPHERE = 2.42;
@@ -51,8 +52,8 @@ typedef struct {
 } jkr;
 
 /* Contact radii of the search, relative to the radius at which the initial gap is the smallest and
- * the largest; and the factor between radii that are tried. */
-static const double SMALLEST_GAP = 1e-6, LARGEST_GAP = 1e9, NEXT_RADIUS = 1.05;
+ * the largest. */
+static const double SMALLEST_GAP = 1e-6, LARGEST_GAP = 1e9;
 
 /* Given: the factor of the work of adhesion in the adhesive term. */
 static jkr jkr_of(const po_scene *scene, double adhesion) {
@@ -62,10 +63,10 @@ static jkr jkr_of(const po_scene *scene, double adhesion) {
   double g = scales_abel(scene, a);
   jkr j = {0.0, a};
   area = 0.5 * a * g;
-  for (; a <= end; a *= NEXT_RADIUS) {
+  for (; a <= end; a *= PO_NEXT_RADIUS) {
     before = g;
     g = scales_abel(scene, a);
-    area += 0.5 * (g + before) * a * (1.0 - 1.0 / NEXT_RADIUS);
+    area += 0.5 * (g + before) * a * (1.0 - 1.0 / PO_NEXT_RADIUS);
     const double load = 2.0 / (M_PI * scene->radius * coupling) *
                         (a * g - area - sqrt(2.0 * M_PI * coupling * adhesion * a * a * a));
     if (load < 0.0)
@@ -183,7 +184,7 @@ static double end_of_waves(const po_scene *scene, double from) {
   const double allowed = AVERAGING_LOSS * po_scene_scales(scene).load;
   double r = from;
   while (averaging_error(scene, r) > allowed)
-    r *= NEXT_RADIUS;
+    r *= PO_NEXT_RADIUS;
   return r;
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "po_elementary.h"
+#include "po_margins.h"
 #include "po_root.h"
 #include "po_special.h"
 
@@ -118,11 +119,10 @@ static void scan(const po_scene *scene, const coefficients *t, double from, doub
   }
 }
 
-/* POINTS_PER_WAVE: dW/da has two zeros in a wavelength and varies on the scale of a quarter of it.
- * POINTS_OF_FIRST: points in the first wavelength if it is scanned from PO_GUDURU_FIRST; the last
+/* POINTS_OF_FIRST: points in the first wavelength if it is scanned from PO_GUDURU_FIRST; the last
  * two are then nearer to each other than those of other waves, as log(1/PO_GUDURU_FIRST) is less
  * than 25. MOST_POINTS: limit of the latter for extreme scenes. */
-enum { POINTS_PER_WAVE = 16, POINTS_OF_FIRST = 25 * POINTS_PER_WAVE, MOST_POINTS = 40000 };
+enum { POINTS_OF_FIRST = 25 * PO_POINTS_PER_WAVE, MOST_POINTS = 40000 };
 const double PO_GUDURU_FIRST = 1e-9;
 /* If the contact contains more wavelengths than this, the pull-off is taken from the envelope: the
  * spacing of doubles is then 1e-8 wavelengths, so that a minimum could be located only to 1e-15 of
@@ -170,7 +170,7 @@ static void scan_waves(const po_scene *scene, const coefficients *t, double lowe
     const double hidden = ROUNDING * t->hertz * near * near * near;
     if (!(lower_bound(t, near) < fmin(best->load, 0.0) - hidden)) /* 0 is the load at a = 0 */
       return;
-    scan(scene, t, n * t->length, (n + 1.0) * t->length, POINTS_PER_WAVE, false, best);
+    scan(scene, t, n * t->length, (n + 1.0) * t->length, PO_POINTS_PER_WAVE, false, best);
   }
 }
 
@@ -260,7 +260,7 @@ double po_guduru_last_minimum(const po_scene *scene, double load, double excess)
   if (!isfinite(right))
     return NAN;
   const bool wavy = po_scene_is_wavy(scene);
-  const double step = wavy ? t.length / POINTS_PER_WAVE : FINEST * right;
+  const double step = wavy ? t.length / PO_POINTS_PER_WAVE : FINEST * right;
   const double lowest = lowest_of(&t);
   while (right > FINEST * step) {
     if (wavy)

@@ -1,3 +1,4 @@
+#include "po_margins.h"
 #include "po_theory_forces.h"
 
 #include <float.h>
@@ -21,8 +22,6 @@
 enum { PATH_POINTS_PER_WAVE = 128, RULE = 8, MOST_LENGTHS = 10 };
 /* A general curve has at most so many points, which take some seconds. */
 enum { MOST_POINTS = 1 << 18 };
-/* The largest ratio of successive contact radii in the first wavelength. */
-static const double RATIO = 1.05;
 /* While the curve is too short, it is computed again up to a contact radius that is larger by this
  * factor. It is needed where the lowest minimum is in a wide trough. */
 static const double LONGER = 1.6;
@@ -210,7 +209,7 @@ static po_status build(builder *b, double end) {
   if (!status)
     status = append_contact(b, left);
   while (left < end && !status) {
-    const double right = fmin(fmin(RATIO * left, left + c->wave / PATH_POINTS_PER_WAVE),
+    const double right = fmin(fmin(PO_NEXT_RADIUS * left, left + c->wave / PATH_POINTS_PER_WAVE),
                               po_profile_next_joint(&c->scene->profile, left));
     status = append_up_to(b, left, right);
     left = right;
@@ -278,7 +277,8 @@ po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_contro
     builder b = {.curve = &curve};
     status = build(&b, end);
     if (!status)
-      status = po_hysteresis_follow(&(po_path){b.point, b.count}, preload, spring, false, hysteresis);
+      status =
+          po_hysteresis_follow(&(po_path){b.point, b.count}, preload, spring, false, hysteresis);
     if (!status && !hysteresis->has_load) {
       po_hysteresis_clear(hysteresis);
       status = PO_NOT_FOUND; /* a longer curve has one */

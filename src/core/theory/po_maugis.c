@@ -5,6 +5,7 @@
 #include "po_abel.h"
 #include "po_elementary.h"
 #include "po_initial_gap.h"
+#include "po_margins.h"
 #include "po_root.h"
 
 /* A contact radius, and what is needed to find the end of the tension. */
@@ -47,16 +48,17 @@ static ring ring_of(const po_scene *scene, double tension, double a) {
   return (ring){scene, po_scene_coupling(scene), tension, a, po_abel_at(scene, a), NULL};
 }
 
-/* The width grows by this factor, and by no more than this part of a wave, until the gap is
- * reached. */
-static const double WIDER = 1.5, PART_OF_WAVE = 0.125;
+/* The width grows by this factor, and by no more than an eighth of a wave, until the gap is
+ * reached.
+ */
+static const double WIDER = 1.5;
 /* Part of the range of a width at which its search begins; steps of the search. */
 static const double NARROW = 1e-6;
 enum { MOST_STEPS = 4000 };
 
 /* The width of the ring. Given: a guess > 0. Returned: NaN if none is found. */
 static double width_of(const ring *m, double guess) {
-  const double step = PART_OF_WAVE * shortest_wave(m->scene);
+  const double step = 2.0 / PO_POINTS_PER_WAVE * shortest_wave(m->scene);
   double low = guess, high = guess;
   int k = 0;
   while (!(excess_gap(low, m) < 0.0) && ++k < MOST_STEPS) {
@@ -229,7 +231,7 @@ static bool is_beyond(const search *s, const po_maugis *state, double value) {
 }
 
 static double next_radius(const search *s, double a) {
-  const double next = a + fmin(STEP * a, 0.5 * PART_OF_WAVE * shortest_wave(s->scene)),
+  const double next = a + fmin(STEP * a, shortest_wave(s->scene) / PO_POINTS_PER_WAVE),
                kink = po_profile_shape(&s->scene->profile).kink;
   return a < kink && kink < next ? kink : next;
 }

@@ -5,6 +5,7 @@
 #include "po_deadline.h"
 #include "po_load_unit.h"
 #include "po_machine.h"
+#include "po_margins.h"
 #include "po_scales.h"
 #include "po_size.h"
 #include "po_trace.h"
@@ -13,9 +14,6 @@
  * finer mesh and is therefore probably spurious, the trace is repeated with this part of the
  * tolerance that would suffice. */
 static const double SHARPER = 0.3;
-
-/* Ratio of error to tolerance that is assumed if the error could not be estimated. */
-static const double UNKNOWN_EXCESS = 3.0;
 
 const double PO_MOST_EXCESS = 10.0;
 
@@ -45,7 +43,7 @@ static bool is_unsure(const po_request *request, const po_result *result) {
  * tolerance; 0 if it is within the tolerance. */
 static double excess_of_panels(const po_request *request, const po_result *result) {
   if (is_unsure(request, result))
-    return UNKNOWN_EXCESS;
+    return PO_SAFETY;
   if (result->rigid || !result->has_pull_off)
     return 0.0;
   const double force = result->pull_off.force;
@@ -108,7 +106,7 @@ po_status po_trace(const po_request *request, size_t most_points, po_kept_points
     po_work_add(&result->work, &work);
     double excess = status ? 0.0 : excess_of_panels(request, result);
     if (!status && a.unmet_folds > 0)
-      excess = fmax(excess, UNKNOWN_EXCESS);
+      excess = fmax(excess, PO_SAFETY);
     if (status == PO_OUT_OF_DOMAIN || (!status && needs_larger_domain(request, result))) {
       a.core *= PO_FARTHER;
       ++meshes;

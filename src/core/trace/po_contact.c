@@ -6,16 +6,12 @@
 
 #include "po_initial_gap.h"
 #include "po_law.h"
+#include "po_margins.h"
 #include "po_memory.h"
 #include "po_order.h"
 #include "po_refine.h"
 #include "po_root.h"
 #include "po_solution.h"
-
-/* Number of samples of the gap per wavelength; a panel is sampled as often as it has nodes. Between
- * two samples the gap has at most one extremum, which the slopes at the samples show. A smooth
- * sphere without panels is sampled this many times along its radius. */
-static const double SAMPLES_A_LENGTH = 16.0;
 
 /* Largest error of the gap that is used, eps. */
 static const double GREATEST_DOUBT = 1.0;
@@ -107,7 +103,9 @@ static double slope_at(double r, const void *data) {
   return beyond(data, r).slope;
 }
 
-/* The next smaller radius at which the gap is sampled. */
+/* The next smaller radius at which the gap is sampled: a panel as often as it has nodes, a smooth
+ * sphere without panels as a wavelength. Between two samples the gap has at most one extremum,
+ * which the slopes at the samples show. */
 static double inwards(const po_contact_gap *g, double r) {
   double step = INFINITY, begin = 0.0;
   if (g->solution) {
@@ -123,9 +121,9 @@ static double inwards(const po_contact_gap *g, double r) {
       --j;
     begin = g->node[j] < r ? g->node[j] : 0.0;
   } else {
-    step = g->end / SAMPLES_A_LENGTH;
+    step = g->end / PO_POINTS_PER_WAVE;
   }
-  return fmax(begin, r - fmin(step, po_initial_gap_detail(g->scene) / SAMPLES_A_LENGTH));
+  return fmax(begin, r - fmin(step, po_initial_gap_detail(g->scene) / PO_POINTS_PER_WAVE));
 }
 
 /* A radius beyond which rigid surfaces are not in contact: the waves only increase the gap of the

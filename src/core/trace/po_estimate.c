@@ -4,24 +4,25 @@
 
 #include "po_contact.h"
 #include "po_far_field.h"
+#include "po_margins.h"
 #include "po_panel_errors.h"
 #include "po_refine.h"
 #include "po_solution.h"
 #include "po_trace.h"
 
-/* Allowed distance between the branch and the cubics through its points: MISS_OF_TOLERANCE times
+/* Allowed distance between the branch and the cubics through its points: PO_PART_OF_TOLERANCE times
  * the tolerance of panels, but at least LEAST_MISS, or LEAST_OF_STAIRCASE if no curve is drawn. The
  * number of points goes as the distance to the power -1/4. Staircases use the cubics only for the
  * energies lost. */
-static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8, LEAST_OF_STAIRCASE = 1e-5;
+static const double LEAST_MISS = 1e-8, LEAST_OF_STAIRCASE = 1e-5;
 
-/* MISS_OF_TOLERANCE for loops, less because the areas between the branch and the cubics add up in
+/* The part for loops, less because the areas between the branch and the cubics add up in
  * the work of a closed loop. */
 static const double MISS_OF_LOOPS = 0.06;
 
 double po_estimate_miss(const po_request *request) {
   const bool drawn = request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS);
-  const double part = request->want & PO_WANT_HYSTERESIS ? MISS_OF_LOOPS : MISS_OF_TOLERANCE;
+  const double part = request->want & PO_WANT_HYSTERESIS ? MISS_OF_LOOPS : PO_PART_OF_TOLERANCE;
   return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE, part * request->mesh.tolerance);
 }
 

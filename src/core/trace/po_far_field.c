@@ -6,8 +6,8 @@
 #include "po_far_energy.h"
 #include "po_initial_gap.h"
 #include "po_linear.h"
+#include "po_margins.h"
 #include "po_panel_table.h"
-#include "po_refine.h"
 #include "po_rigid.h"
 #include "po_scales.h"
 #include "po_trace.h"
@@ -202,15 +202,13 @@ po_far_field po_far_field_of(const po_scene *scene, const po_solution *p) {
   return (po_far_field){load, approach, energy};
 }
 
-/* Factor between the radii at which the decay of the far field of rigid bodies is taken. */
-static const double FARTHER = 1.05;
-
 double po_far_field_rigid_energy(const po_scene *scene, double approach) {
   if (isfinite(scene->outer_radius) || !po_scene_is_wavy(scene))
     return 0.0;
   const double end = po_rigid_end(scene, approach, po_scene_has_infinite_energy(scene));
   const po_far_place near = {end, po_initial_gap_mean(scene, end) - approach};
-  const po_far_place far = {FARTHER * end, po_initial_gap_mean(scene, FARTHER * end) - approach};
+  const po_far_place far = {PO_NEXT_RADIUS * end,
+                            po_initial_gap_mean(scene, PO_NEXT_RADIUS * end) - approach};
   return error_of_average(scene, OF_ENERGY, end, near, far);
 }
 
@@ -241,14 +239,13 @@ static double error_of_initial_gap(const po_scene *scene, double domain, double 
   return sum;
 }
 
-/* Part of the tolerance that the polynomial may take of a usual load; factor between the cores that
- * are tried, up to MOST times the first, or the last row. */
-static const double PART_OF_TOLERANCE = 0.1, LARGER = 1.25, MOST = 16.0;
+/* Factor between the cores that are tried, up to MOST times the first, or the last row. */
+static const double LARGER = 1.25, MOST = 16.0;
 
 double po_far_field_core(const po_scene *scene, double core, double tolerance) {
   if (isfinite(scene->outer_radius) || isinf(po_law_numbers_of(&scene->law)->exponent))
     return core;
-  const double allowed = PART_OF_TOLERANCE * tolerance * po_scene_scales(scene).load;
+  const double allowed = PO_PART_OF_TOLERANCE * tolerance * po_scene_scales(scene).load;
   const double rows = po_profile_shape(&scene->profile).end;
   const double most = fmax(MOST * core, isfinite(rows) ? LARGER * rows : 0.0);
   for (double c = core; c < most; c *= LARGER)

@@ -5,6 +5,7 @@
 
 #include "po_collector.h"
 #include "po_loop.h"
+#include "po_margins.h"
 #include "po_refine.h"
 #include "po_staircase.h"
 #include "po_trace.h"

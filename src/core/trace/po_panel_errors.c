@@ -6,7 +6,7 @@
 #include "po_initial_gap.h"
 #include "po_linear.h"
 #include "po_quadrature.h"
-#include "po_refine.h"
+#include "po_margins.h"
 #include "po_solution.h"
 
 /* Distance of a kink from the end of a panel, relative to its length, within which it is there. */

@@ -98,16 +98,13 @@ bool po_rate_is_loaded(const po_request *request) {
   return request->load_speed > 0.0;
 }
 
-/* Greatest approach at which loading at a speed begins, eps, unless another is given: there a
- * sphere is attracted by a hundredth of its pull-off force. */
-static const double APART = -10.0;
-
 /* Loads until the approach or the load of the preload is reached. */
 static po_status load_once(const po_request *request, po_equilibrium *e, po_relaxed_loading *l) {
   po_continuation_options options = po_continuation_options_default();
   options.minima_only = true;
   options.end = l->preload.approach;
-  options.begin = fmin(request->approach_start, po_rate_is_loaded(request) ? APART : (double)NAN);
+  options.begin =
+      fmin(request->approach_start, po_rate_is_loaded(request) ? -PO_APART : (double)NAN);
   if (isfinite(l->preload.approach))
     options.begin = fmin(options.begin, l->preload.approach - 1.0);
   options.visit = visit_loading;

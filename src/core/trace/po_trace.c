@@ -17,10 +17,10 @@
  * and pi w R. */
 static const double CURVE_SAGITTA = 5e-4;
 
-/* A rigid trace starts at this gap, or at a gap larger by a power of PO_FARTHER at which the load
- * is below a given part of the pull-off force. By Derjaguin's approximation the load is 2 phi/w, in
- * pi w R. */
-static const double RIGID_START = 10.0, RIGID_START_LOAD = 0.02;
+/* A rigid trace starts at the gap PO_APART, or at a gap larger by a power of PO_FARTHER at which
+ * the load is below a given part of the pull-off force. By Derjaguin's approximation the load is 2
+ * phi/w, in pi w R. */
+static const double RIGID_START_LOAD = 0.02;
 
 static po_continuation_options options_of(const po_request *request, double begin,
                                           po_collector *collector) {
@@ -104,7 +104,7 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a,
 }
 
 static double rigid_start(const po_law *law) {
-  double gap = RIGID_START;
+  double gap = PO_APART;
   while (-po_law_energy(law, gap) > RIGID_START_LOAD)
     gap *= PO_FARTHER;
   return gap;

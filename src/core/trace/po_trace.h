@@ -76,6 +76,10 @@ typedef struct {
 po_status po_trace_once(const po_request *request, po_attempt *a, po_kept_points *kept,
                         po_result *result);
 
+/* The gap, eps, at which a trace of rigid bodies and loading at a speed begin: there a sphere is
+ * attracted by a hundredth of its pull-off force. */
+static const double PO_APART = 10.0;
+
 /* The factor by which a trace goes farther that did not suffice: it is repeated with a core larger
  * by it if the contact reaches the end of the core of an unbounded surface, and from an approach
  * farther by it if unloading leads beyond its beginning. */
