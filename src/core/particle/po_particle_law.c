@@ -127,8 +127,8 @@ static const double OF_RADIUS = 10.0;
 /* Intervals that are halved in succession. */
 enum { MOST_HALVINGS = 50 };
 
-/* Places in an interval at which a cubic is compared with the curve, in the fit and after it. */
-enum { PLACES = 15, MORE_PLACES = 41 };
+/* Places in an interval at which a cubic is compared with the curve. */
+enum { PLACES = 31 };
 
 typedef struct {
   const curve *c;
@@ -166,12 +166,11 @@ static void note_miss(const po_particle_knot *a, const po_particle_knot *b,
   m->radius = fmax(m->radius, fabs(radius_between(a, b, there->overlap) - there->radius));
 }
 
-static miss greatest_miss(const curve *c, const po_particle_knot *a, const po_particle_knot *b,
-                          int places) {
+static miss greatest_miss(const curve *c, const po_particle_knot *a, const po_particle_knot *b) {
   miss m = {0.0, 0.0};
-  for (int k = 1; k <= places; ++k) {
+  for (int k = 1; k <= PLACES; ++k) {
     const po_particle_knot there =
-        knot_at(c, a->overlap + (b->overlap - a->overlap) * k / (places + 1));
+        knot_at(c, a->overlap + (b->overlap - a->overlap) * k / (PLACES + 1));
     note_miss(a, b, &there, &m);
   }
   for (size_t k = segment_of(c, a->overlap) + 1; k < c->path.count && c->approach[k] < b->overlap;
@@ -203,7 +202,7 @@ static po_status add_between(fit *f, po_particle_knot a, po_particle_knot b, int
   const po_particle_knot begin = a, end = b;
   end_slopes(&a, &b);
   const double middle = 0.5 * (a.overlap + b.overlap);
-  const miss m = greatest_miss(f->c, &a, &b, PLACES);
+  const miss m = greatest_miss(f->c, &a, &b);
   const bool fits = (is_monotone(&a, &b) || fabs(b.force - a.force) < LEVEL * f->tolerance) &&
                     m.force <= f->tolerance && m.radius <= f->radius_tolerance;
   if (fits || halvings == MOST_HALVINGS || !(a.overlap < middle && middle < b.overlap)) {
@@ -343,12 +342,12 @@ po_status po_particle_law_numbers(const po_request *request, po_particle_numbers
   return status;
 }
 
-/* Margin of the approach at which a trace begins, which follows from the decay where an earlier
- * one began; such traces at most; the farthest beginning, eps. */
-static const double START_MARGIN = 1.05, FARTHEST = 1e5;
+/* Traces for the beginning at most; the farthest beginning, eps. */
+static const double FARTHEST = 1e5;
 enum { MOST_TRACES = 4 };
 
-/* Solves from an approach on at which the attraction is a part of the pull-off force. */
+/* Solves from an approach on at which the attraction is a part of the pull-off force; which follows
+ * from the decay where an earlier trace began. */
 static po_status solve_from_afar(const po_request *request, double error, po_result *result) {
   po_request from = *request;
   for (int k = 0; k < MOST_TRACES; ++k) {
@@ -364,7 +363,7 @@ static po_status solve_from_afar(const po_request *request, double error, po_res
     const double power =
         fabs(first->approach * first->load_rate / (first->approach_rate * first->load));
     from.approach_start =
-        -START_MARGIN * fabs(first->approach) * po_exp(po_log(excess) / fmax(power, 0.25));
+        -fabs(first->approach) * po_exp(po_log(excess / PO_AIM) / fmax(power, 0.25));
     if (from.approach_start < -FARTHEST)
       break;
   }
@@ -385,7 +384,7 @@ static size_t point_at(const po_result *result, double position) {
 /* Notes the errors of a stretch. */
 static void measure(const curve *c, const po_particle_stretch *s, po_particle_law *law) {
   for (size_t k = 0; k + 1 < s->count; ++k) {
-    const miss m = greatest_miss(c, &s->knot[k], &s->knot[k + 1], MORE_PLACES);
+    const miss m = greatest_miss(c, &s->knot[k], &s->knot[k + 1]);
     law->error = fmax(law->error, m.force / law->numbers.pull_off);
     law->radius_error = fmax(law->radius_error, m.radius);
   }
@@ -403,16 +402,15 @@ static void continue_beyond(const po_scene *scene, po_particle_law *law) {
   law->hertz_origin = last->overlap - root * root;
 }
 
-/* The part of the error that is left for the fit; the part by which the energy lost of the table
- * may differ from that of the solver, a half of the thousandth that is promised; attempts with a
- * quarter of the tolerance each. */
-static const double OF_FIT = 0.8, OF_LOSS = 5e-4;
+/* The part by which the energy lost of the table
+ * may differ from that of the solver, a half of the thousandth that is promised. */
+static const double OF_LOSS = 5e-4;
 enum { MOST_FITS = 8 };
 
 static po_status fit_law(const curve *out, const curve *in, double error, po_particle_law *law) {
   const po_particle_numbers *n = &law->numbers;
   const double of_radius = OF_RADIUS * error;
-  double tolerance = OF_FIT * error * n->pull_off;
+  double tolerance = PO_AIM * error * n->pull_off;
   for (int k = 0; k < MOST_FITS; ++k, tolerance *= PO_STEP_CUT) {
     po_status status = tabulate(in, tolerance, of_radius, &law->in);
     if (!status && n->jumps)

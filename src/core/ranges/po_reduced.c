@@ -259,10 +259,6 @@ static po_status conclude(search *s, const po_range_follower *f, bool is_traced,
   return status ? status : excess > PO_MOST_EXCESS ? inaccurate(request, result, excess) : PO_OK;
 }
 
-/* From one of the traced ranges to the true one the force of a minimum changes by at most this
- * multiple of its change between the two. By its expansion it is 1/3, or 0.6 as measured. */
-static const double CHANGES_ON = 1.5;
-
 /* Whether a minimum of the last trace may have a force above the given one at the true range. One
  * that ends before the greater range may. */
 static po_status find_whether_exceeds(search *s, const po_range_follower *f, const po_kept_point *p,
@@ -274,8 +270,8 @@ static po_status find_whether_exceeds(search *s, const po_range_follower *f, con
   if (po_reduced_ends(status))
     return status;
   const double now = fabs(s->rival.at[s->now.at].point.load);
-  *exceeds =
-      status || now + CHANGES_ON * fabs(now - fabs(s->rival.at[s->before.at].point.load)) > force;
+  *exceeds = status ||
+             now + PO_CHANGES_ON * fabs(now - fabs(s->rival.at[s->before.at].point.load)) > force;
   return PO_OK;
 }
 

@@ -18,6 +18,12 @@ typedef struct {
   int all;   /* of those to which a jump of loading is followed */
 } po_ranges;
 
+/* From a range to the true one a number changes by at most this multiple of its last change, or of
+ * what a power law says: by the next range the error of a limit falls to 0.6 or less (a scene of an
+ * independent campaign has 0.502), and so does the change of the force of a minimum, which is 1/3
+ * by its expansion. */
+static const double PO_CHANGES_ON = 1.5;
+
 /* Ranges from a trace to the next one: each has half the range of the one before. */
 enum { PO_RANGE_STRIDE = 2 };
 

@@ -64,11 +64,6 @@ po_range_limit po_range_limit_of(po_range_terms kind, const double range[SOLVES]
   return l;
 }
 
-/* By the next range the error of the limit falls to this part or less (a scene of an independent
- * campaign has 0.502), so that it is at most 1.5 times its last change; where that change is small
- * by chance, the last term says more. */
-static const double SLOWEST = 0.6;
-
 double po_range_limit_at(const po_range_limit *l, const double value[SOLVES],
                          const double error[SOLVES], double *bound) {
   double sum = 0.0, before = 0.0, fewer = 0.0, noise = 0.0;
@@ -79,7 +74,7 @@ double po_range_limit_at(const po_range_limit *l, const double value[SOLVES],
     noise += fabs(l->weight[k]) * error[k];
   }
   const double change = fmax(fabs(sum - before), fabs(sum - fewer));
-  *bound = SLOWEST / (1.0 - SLOWEST) * change + noise;
+  *bound = PO_CHANGES_ON * change + noise;
   return sum;
 }
 
@@ -114,9 +109,8 @@ po_path_state po_range_limit_of_state(const po_range_group *g, const po_range_li
 
 /* -- Where loading jumps -- */
 
-/* The value may change by up to this multiple of what the power leaves; and the number of halvings
- * of the width of the edges from whose change that is found. */
-static const double MARGIN = 2.0;
+/* The number of halvings of the width of the edges from whose change is found what the power
+ * leaves. */
 enum { SPAN = 4 };
 
 int po_range_side_of(const po_ranges *ranges, int first, int last, const double value[],
@@ -125,7 +119,7 @@ int po_range_side_of(const po_ranges *ranges, int first, int last, const double 
   const double ratio = ranges->range[from] / ranges->range[last];
   const double to_true = 1.0 - po_pow(ranges->range[last], -POWER); /* of what it is to range 0 */
   const double left = to_true * (value[last] - value[from]) / (po_pow(ratio, POWER) - 1.0);
-  const double end = value[last] + MARGIN * left;
+  const double end = value[last] + PO_CHANGES_ON * left;
   if (fmax(value[last], end) < bound)
     return -1;
   return fmin(value[last], end) >= bound ? 1 : 0;

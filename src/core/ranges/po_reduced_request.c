@@ -25,9 +25,9 @@ static const double CHOSEN = 6e-3, CHOSEN_SMOOTH = 5e-9;
 /* The range decreases by this factor from solve to solve. */
 static const double STEP = M_SQRT2;
 
-/* The tolerance of the solves relative to that of the request: the extrapolation multiplies their
- * errors by up to 28. */
-static const double OF_TOLERANCE = 0.03;
+/* The extrapolation multiplies the errors of the solves by no more than this: the sum of the moduli
+ * of its weights for ranges far above the true one. */
+static const double AMPLIFICATION = 39.46;
 
 /* The most ranges of limits. */
 enum { MOST_TRACED = 24 };
@@ -68,7 +68,7 @@ bool po_reduced_is_resort(const po_request *request, po_status status) {
 }
 
 double po_reduced_tolerance(const po_request *request) {
-  return fmax(OF_TOLERANCE * request->mesh.tolerance, PO_LEAST_TOLERANCE);
+  return fmax(request->mesh.tolerance / AMPLIFICATION, PO_LEAST_TOLERANCE);
 }
 
 po_request po_reduced_request(const po_request *request, double s) {

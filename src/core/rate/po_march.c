@@ -8,16 +8,9 @@
 #include "po_march_internal.h"
 #include "po_margins.h"
 
-/* The length of the first step, and of the first after a jump, eps; the greatest growth of a step;
- * and the shortest step of the glassy body, below which the contact jumps. */
-static const double FIRST_LENGTH = 1e-3, GROWTH = 1.6, CUT = 0.3, SHORTEST = 1e-6;
-
-/* Steps that follow those of another march may grow by so much more than their misfit says. */
-static const double FREER = 1.5;
-
-/* A step is repeated if its misfit exceeds the aim by this factor; the next one aims at this part.
- */
-static const double REFUSED = 2.5, AIM = 0.8;
+/* The length of the first step, and of the first after a jump, eps; and the shortest step of the
+ * glassy body, below which the contact jumps. */
+static const double FIRST_LENGTH = 1e-3, SHORTEST = 1e-6;
 
 /* Where the effective coupling exceeds that of the glassy body by less than this part, a step is
  * one of the glassy body. */
@@ -213,17 +206,17 @@ static po_status advance(po_march *m, double *length) {
     const double aim = m->options.misfit / (m->options.halving * m->options.halving);
     const double misfit = status ? INFINITY : po_march_misfit(m);
     *length = h;
-    if (misfit <= REFUSED * aim) {
+    if (misfit <= PO_REFUSED * aim) {
       po_march_finish(m, &scene);
-      const double wish = AIM * sqrt(aim / fmax(misfit, 1e-300));
+      const double wish = PO_AIM * sqrt(aim / fmax(misfit, 1e-300));
       m->longest = fmax(m->longest, h);
-      m->cap = h * fmin(GROWTH, m->options.like && misfit <= aim ? fmax(1.0, FREER * wish) : wish);
+      m->cap = h * (m->options.like && misfit <= aim ? PO_STEP_GROWTH : fmin(PO_STEP_GROWTH, wish));
       return PO_OK;
     }
     if (h < SHORTEST && is_glassy(m, &scene))
       return PO_STEP_TOO_SMALL;
     m->e->factorized = m->e->factorized && !status;
-    h *= isfinite(misfit) ? fmax(CUT, AIM * sqrt(aim / misfit)) : CUT;
+    h *= isfinite(misfit) ? fmax(PO_STEP_CUT, PO_AIM * sqrt(aim / misfit)) : PO_STEP_CUT;
   }
 }
 

@@ -19,8 +19,8 @@
 /* x of the first step, and the least one. */
 static const double FIRST = 1.0, LEAST = 1e-8;
 
-/* Change of the gap that a step aims at and greatest one, relative to 1 + H. */
-static const double AIM = 0.6, GREATEST_CHANGE = 1.0;
+/* Greatest change of the gap in a step, relative to 1 + H. */
+static const double GREATEST_CHANGE = 1.0;
 
 /* Change of a step over x, at which a state misses the equilibrium by rounding. */
 static const double STILL = 1e-10;
@@ -123,7 +123,7 @@ po_status po_march_jump(po_march *m, double length) {
       arrive(m, &scene, energy, &before, length);
       return PO_OK;
     }
-    x *= fmin(PO_STEP_GROWTH, AIM / change);
+    x *= fmin(PO_STEP_GROWTH, PO_AIM * GREATEST_CHANGE / change);
   }
   return po_fail(PO_STEP_TOO_SMALL,
                  "no stable equilibrium follows a jump of the contact at approach %.6g, load %.6g",

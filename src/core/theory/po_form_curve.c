@@ -5,6 +5,7 @@
 #include "po_abel.h"
 #include "po_forms.h"
 #include "po_guduru.h"
+#include "po_margins.h"
 #include "po_maugis.h"
 #include "po_memory.h"
 #include "po_root.h"
@@ -14,8 +15,6 @@
  * of a curve. */
 enum { POINTS = 200, PER_WAVE = 32, MOST = 1 << 17 };
 
-/* The part of the first step at which the stability of contact radius 0 is looked at. */
-static const double NEAR_AXIS = 1e-3;
 /* Two contact radii that differ by less, relatively, are one point. */
 static const double SAME = 1e-12;
 
@@ -171,7 +170,7 @@ po_status po_form_curve(const po_form *form, const po_form_input *input, po_form
   double step = end / POINTS, a = 0.0;
   for (size_t k = 0; wavy && k < po_scene_waves(&input->scene); ++k)
     step = fmin(step, po_scene_wave(&input->scene, k).length / PER_WAVE);
-  c.first = NEAR_AXIS * step;
+  c.first = PO_NEAR_AXIS * step;
   const double steps = status ? 0.0 : ceil(end / step);
   if (!(steps < MOST))
     status = po_fail(PO_TOO_MANY_POINTS, "the curve has %g points: expected fewer waves", steps);

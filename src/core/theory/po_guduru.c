@@ -128,10 +128,6 @@ const double PO_GUDURU_FIRST = 1e-9;
  * spacing of doubles is then 1e-8 wavelengths, so that a minimum could be located only to 1e-15 of
  * the load. */
 static const double MOST_WAVES = 1e8;
-/* GROWTH: factor of the outward search for a contact radius beyond all minima. FINEST: step of the
- * inward search on a smooth sphere, relative to that radius; and the radius at which the inward
- * search ends, relative to its step. */
-static const double GROWTH = 1.3, FINEST = 1e-3;
 /* Differences below this fraction of the largest term of the load are rounding. */
 static const double ROUNDING = 8.0 * DBL_EPSILON;
 
@@ -220,7 +216,7 @@ static double minimum_within(const coefficients *t, double load, double left, do
 static double radius_beyond(const coefficients *t, double load) {
   double a = fmax(lowest_of(t), t->k > 0.0 ? t->length : 0.0);
   while (lower_bound(t, a) <= load)
-    a *= GROWTH;
+    a *= PO_FARTHER;
   return a;
 }
 
@@ -260,9 +256,9 @@ double po_guduru_last_minimum(const po_scene *scene, double load, double excess)
   if (!isfinite(right))
     return NAN;
   const bool wavy = po_scene_is_wavy(scene);
-  const double step = wavy ? t.length / PO_POINTS_PER_WAVE : FINEST * right;
+  const double step = wavy ? t.length / PO_POINTS_PER_WAVE : right;
   const double lowest = lowest_of(&t);
-  while (right > FINEST * step) {
+  while (right > PO_NEAR_AXIS * step) {
     if (wavy)
       right = skip_excluded(&t, load, lowest, step, right);
     if (wavy && right > MOST_WAVES * t.length)

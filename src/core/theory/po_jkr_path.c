@@ -22,9 +22,6 @@
 enum { PATH_POINTS_PER_WAVE = 128, RULE = 8, MOST_LENGTHS = 10 };
 /* A general curve has at most so many points, which take some seconds. */
 enum { MOST_POINTS = 1 << 18 };
-/* While the curve is too short, it is computed again up to a contact radius that is larger by this
- * factor. It is needed where the lowest minimum is in a wide trough. */
-static const double LONGER = 1.6;
 /* Steps of Newton's method from an interpolated state, whose contact radius is off by some 1e-9 of
  * it; and the longest step, over the radius. */
 enum { SHARPENING = 3 };
@@ -243,7 +240,7 @@ po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_stairca
   po_contact least;
   po_status status = curve_of(scene, &curve, &least);
   double end = 2.0 * fmax(least.contact_radius, curve.size);
-  for (int k = 0; k < MOST_LENGTHS && !status; ++k, end *= LONGER) {
+  for (int k = 0; k < MOST_LENGTHS && !status; ++k, end *= PO_FARTHER) {
     builder b = {.curve = &curve};
     po_staircases_clear(staircases);
     status = build(&b, end);
@@ -273,7 +270,7 @@ po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_contro
   if (preload.approach > 0.0)
     end += po_initial_gap_radius(scene, preload.approach);
   status = PO_NOT_FOUND;
-  for (int k = 0; k < MOST_LENGTHS && status == PO_NOT_FOUND; ++k, end *= LONGER) {
+  for (int k = 0; k < MOST_LENGTHS && status == PO_NOT_FOUND; ++k, end *= PO_FARTHER) {
     builder b = {.curve = &curve};
     status = build(&b, end);
     if (!status)

@@ -48,26 +48,22 @@ static ring ring_of(const po_scene *scene, double tension, double a) {
   return (ring){scene, po_scene_coupling(scene), tension, a, po_abel_at(scene, a), NULL};
 }
 
-/* The width grows by this factor, and by no more than an eighth of a wave, until the gap is
- * reached.
- */
-static const double WIDER = 1.5;
-/* Part of the range of a width at which its search begins; steps of the search. */
-static const double NARROW = 1e-6;
+/* Steps of the search for a width. */
 enum { MOST_STEPS = 4000 };
 
-/* The width of the ring. Given: a guess > 0. Returned: NaN if none is found. */
+/* The width of the ring. It grows by no more than an eighth of a wave a step. Given: a guess > 0.
+ * Returned: NaN if none is found. */
 static double width_of(const ring *m, double guess) {
   const double step = 2.0 / PO_POINTS_PER_WAVE * shortest_wave(m->scene);
   double low = guess, high = guess;
   int k = 0;
   while (!(excess_gap(low, m) < 0.0) && ++k < MOST_STEPS) {
     high = low;
-    low /= WIDER;
+    low /= PO_FARTHER;
   }
   while (!(excess_gap(high, m) >= 0.0) && ++k < MOST_STEPS) {
     low = high;
-    high = fmin(WIDER * high, high + step);
+    high = fmin(PO_FARTHER * high, high + step);
   }
   return po_root(excess_gap, m, low, high); /* NaN without a change of sign */
 }
@@ -97,7 +93,7 @@ static double width_near(const ring *m, double predicted) {
 static double narrow_width(const ring *m) {
   const double rigid = po_initial_gap_radius(m->scene, 1.0 / m->tension),
                stiff = M_PI_4 / (2.0 * m->tension * m->tension * m->coupling);
-  return NARROW * fmin(rigid, stiff);
+  return PO_NEAR_AXIS * fmin(rigid, stiff);
 }
 
 static po_contact contact_of(const ring *m, lengths l) {
@@ -205,7 +201,7 @@ static double rate_at(double a, const void *data) {
 
 /* Steps of the contact radius relative to it, and to a wave; the first one relative to the width of
  * a ring about the axis and to the radius up to which the JKR curve falls; the most steps. */
-static const double STEP = 0.1, FIRST = 1e-3;
+static const double STEP = 0.1;
 enum { MOST_RADII = 20000 };
 /* The most work of a search that predicts, in pieces of integrals: some tenths of a second. A
  * contact of a hundred shallow waves takes as much, one of ten a tenth of it. */
@@ -267,7 +263,8 @@ po_status po_maugis_pull_off(const po_scene *scene, double tension, po_fixed fix
   po_status status = check_input(scene, tension, 0.0);
   if (!status)
     status = take(&s, 0.0, state);
-  double a = FIRST * fmin(state->end, po_jkr_profile_first(scene)), left = a, left_rate = 0.0;
+  double a = PO_NEAR_AXIS * fmin(state->end, po_jkr_profile_first(scene)), left = a,
+         left_rate = 0.0;
   for (int k = 0; k < MOST_RADII && !status && work < MOST_WORK; ++k) {
     po_maugis here;
     double rate;
@@ -331,7 +328,7 @@ po_status po_maugis_outermost(const po_scene *scene, double tension, po_fixed fi
   po_status status = check_input(scene, tension, 0.0);
   if (!status)
     status = solve(scene, tension, 0.0, &NO_GUESS, &here);
-  a[1] = FIRST * fmin(here.end, po_jkr_profile_first(scene));
+  a[1] = PO_NEAR_AXIS * fmin(here.end, po_jkr_profile_first(scene));
   const double kink = po_profile_shape(&scene->profile).kink;
   for (int k = 0; k < MOST_RADII && !status; ++k) {
     status = rate_beyond(&p.s, a[1], &here, &rate[1]);
@@ -429,7 +426,7 @@ po_status po_maugis_check(const po_scene *scene, double tension, const po_maugis
                     2.0 * tension * m.coupling * l.s;
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
     greatest += 1.3 * M_PI_2 * po_scene_wave(scene, k).amplitude;
-  double r = fmin(FIRST * l.c, po_abel_detail(scene, l.c));
+  double r = fmin(PO_NEAR_AXIS * l.c, po_abel_detail(scene, l.c));
   for (int k = 0; k < MOST_LOOKS; ++k) {
     const double lowest = po_profile_gap_beyond(&scene->profile, scene->radius, r);
     if (r > l.c && lowest - state->contact.approach - greatest * l.c / r > 1.0 / tension)

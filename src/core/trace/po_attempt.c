@@ -13,13 +13,9 @@
 /* If the estimated error of the pull-off force exceeds the tolerance, or a fold is not found on a
  * finer mesh and is therefore probably spurious, the trace is repeated with this part of the
  * tolerance that would suffice. */
-static const double SHARPER = 0.3;
-
 const double PO_MOST_EXCESS = 10.0;
 
 enum { MOST_TRACES = 3 };
-
-const double PO_FARTHER = 1.5;
 
 const double PO_SAME_LOAD = 10.0, PO_SAME_APPROACH = 1e-2;
 
@@ -111,7 +107,7 @@ po_status po_trace(const po_request *request, size_t most_points, po_kept_points
       a.core *= PO_FARTHER;
       ++meshes;
     } else if (excess > 0.0 && traces < MOST_TRACES) {
-      a.tolerance *= SHARPER / excess;
+      a.tolerance /= PO_SAFETY * excess;
     } else if (!status && request->want & PO_WANT_HYSTERESIS && !result->has_hysteresis) {
       ++meshes; /* the next trace begins at a smaller approach */
     } else {

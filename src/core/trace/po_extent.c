@@ -4,6 +4,7 @@
 
 #include "po_initial_gap.h"
 #include "po_law.h"
+#include "po_margins.h"
 #include "po_rigid.h"
 #include "po_scales.h"
 #include "po_special_point.h"
@@ -63,7 +64,7 @@ double po_trace_domain(const po_scene *scene, double core) {
 
 /* Greatest contact radius on an unbounded surface, relative to the radius of the domain: beyond,
  * the panel to infinity does not represent the far field. */
-static const double GREATEST_CONTACT = 0.9, LARGER_THAN_CONTACT = 1.15;
+static const double GREATEST_CONTACT = 0.9;
 
 bool po_trace_is_cut_off(const po_scene *scene, double contact_radius, double core) {
   return isinf(scene->outer_radius) && contact_radius > GREATEST_CONTACT * core;
@@ -74,8 +75,8 @@ static double finite_or_none(double value) {
 }
 
 /* The core for a search reaches to the contact at which the search is complete for a pull-off force
- * of SEARCHED_FORCE, pi w R, if that is at most LARGEST_CORE times the core without a search. */
-static const double SEARCHED_FORCE = 1.0, LARGEST_CORE = 1.6;
+ * of SEARCHED_FORCE, pi w R, if that is at most as much larger as the core of a repeated trace. */
+static const double SEARCHED_FORCE = 1.0;
 
 double po_trace_core(const po_request *request) {
   const po_scene *scene = &request->scene;
@@ -85,8 +86,8 @@ double po_trace_core(const po_request *request) {
   if (po_request_search(request) == PO_SEARCH_NONE || !request->theories ||
       po_scene_is_simple(scene) || isfinite(scene->outer_radius))
     return core;
-  const double enough = LARGER_THAN_CONTACT * po_request_bound(request, -SEARCHED_FORCE);
-  return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
+  const double enough = po_request_bound(request, -SEARCHED_FORCE) / GREATEST_CONTACT;
+  return enough < PO_FARTHER * core ? fmax(core, enough) : core;
 }
 
 /* Allowed error of the gap, eps, divided by the square root of the relative tolerance of the

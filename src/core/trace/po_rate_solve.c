@@ -9,6 +9,7 @@
 #include "po_estimate.h"
 #include "po_far_field.h"
 #include "po_march.h"
+#include "po_margins.h"
 #include "po_memory.h"
 #include "po_rate_loading.h"
 #include "po_rate_solve.h"
@@ -17,10 +18,10 @@
 /* -- Marches -- */
 
 /* Unloading ends when the bodies are nowhere in contact, the tension is below this part of its
- * greatest value, and the base has moved farther by a part of its way and a length, eps, since the
+ * greatest value, and the base has moved farther by a length, eps, since the
  * contact ended: all marches end at the same position, and with other steps it ends a little later.
  */
-static const double END_OF_TENSION = 0.01, PART_BEYOND = 0.01, BEYOND = 0.5;
+static const double END_OF_TENSION = 0.01, BEYOND = 0.5;
 
 typedef struct {
   const po_request *request;
@@ -95,8 +96,7 @@ static bool visit_march(const po_rate_point *point, po_march_phase phase, void *
       grown[u->count++] = *point;
     }
   }
-  return u->status || (phase == PO_UNLOADING && !u->fixed &&
-                       point->moved > (1.0 + PART_BEYOND) * u->parted + BEYOND &&
+  return u->status || (phase == PO_UNLOADING && !u->fixed && point->moved > u->parted + BEYOND &&
                        -point->load < END_OF_TENSION * u->tension);
 }
 
@@ -134,9 +134,8 @@ static po_status march(const po_request *request, po_equilibrium *e, const po_so
                                  r->read.begin.approach);
 }
 
-/* The tolerance of the panels whose result shows the error of the panels, over the tolerance; and
- * the factor of the estimated errors. */
-static const double COARSER = 30.0, SAFETY = 1.5;
+/* The tolerance of the panels whose result shows the error of the panels, over the tolerance. */
+static const double COARSER = 30.0;
 
 /* The error of a value by the steps and by the panels. Given: coarse steps, half as long ones, and
  * coarse panels; whether the steps of both lead along the same path, so that the error falls as the
@@ -151,13 +150,14 @@ static estimate estimate_of(double coarse, double fine, double panels, bool smoo
                     fabs(panels - coarse)};
 }
 
-/* Least stated errors of the force, relative: by the steps over their misfit, and by the panels
- * over the tolerance. Where the results of two marches agree by chance, their difference says
- * nothing. Of 40 random scenes the force was off by 4e-3 of the misfit at most. */
-static const double LEAST_OF_STEPS = 0.006, LEAST_OF_PANELS = 0.3;
+/* Least estimated error of the force by the steps, relative, over their misfit; that by the panels
+ * is PO_PART_OF_TOLERANCE over the tolerance. Where the results of two marches agree by chance,
+ * their difference says nothing. Of 40 random scenes the force was off by 4e-3 of the misfit at
+ * most; PO_SAFETY is a factor of both. */
+static const double LEAST_OF_STEPS = 0.003;
 
 static double error_of(const estimate *e, double rounding) {
-  return SAFETY * (e->time + e->mesh) + rounding;
+  return PO_SAFETY * (e->time + e->mesh) + rounding;
 }
 
 /* Newton's method and rounding, relative. */
@@ -209,7 +209,7 @@ static common_errors common_errors_of(const po_request *request, const po_attemp
                                  .gap = reached->state,
                                  .solution = reached};
   const double energy = po_energy_error(request, &point);
-  return (common_errors){far, far.load + LEAST_OF_PANELS * a->tolerance * fabs(point.load),
+  return (common_errors){far, far.load + PO_PART_OF_TOLERANCE * a->tolerance * fabs(point.load),
                          fmax(energy, far.load * (1.0 + fabs(point.approach)))};
 }
 
@@ -248,7 +248,7 @@ static void take_unloading(const run r[3], bool smooth, po_rate *rate) {
     double start = fabs(begin[2][i] - begin[0][i]);
     if (rate->loading.is_known)
       start += fabs(begin[1][i] - begin[0][i]);
-    error[i] += SAFETY * start;
+    error[i] += PO_SAFETY * start;
   }
   add_miss(fabs(balance(&rate->end.energy) - balance(&rate->begin.energy)), any_jumps(r, true),
            &rate->end_error);
@@ -276,7 +276,7 @@ static void take(const po_attempt *a, const run r[3], const common_errors *commo
   const bool smooth = steps && r[0].peak.jumps == 0 && r[1].peak.jumps == 0 && r[2].peak.jumps == 0;
   const po_rate_point *p[3] = {&r[0].peak.at, &r[1].peak.at, &r[2].peak.at};
   estimate force = estimate_of(-p[0]->load, -p[1]->load, -p[2]->load, smooth);
-  force.mesh = fmax(force.mesh, LEAST_OF_PANELS * a->tolerance * force.value);
+  force.mesh = fmax(force.mesh, PO_PART_OF_TOLERANCE * a->tolerance * force.value);
   if (steps)
     force.time = fmax(force.time, LEAST_OF_STEPS * sqrt(a->tolerance) * force.value);
   /* the place of the maximum is no smooth function of the steps */
@@ -302,8 +302,8 @@ static void take(const po_attempt *a, const run r[3], const common_errors *commo
   rate->time_error =
       path ? (double)NAN
            : error_of(&moved, ROUNDING * (1.0 + fabs(moved.value)) + spread) / rate->speed;
-  rate->time_part = SAFETY * force.time;
-  rate->mesh_part = SAFETY * force.mesh;
+  rate->time_part = PO_SAFETY * force.time;
+  rate->mesh_part = PO_SAFETY * force.mesh;
   rate->begin = r[1].read.begin;
   rate->end = r[1].read.last;
   rate->jumps = po_march_jumps(r[1].march, true);

@@ -8,6 +8,7 @@
 #include "po_diagnose.h"
 #include "po_far_field.h"
 #include "po_initial_gap.h"
+#include "po_margins.h"
 #include "po_rate_solve.h"
 #include "po_rigid.h"
 #include "po_rigid_trace.h"

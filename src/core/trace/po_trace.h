@@ -80,11 +80,6 @@ po_status po_trace_once(const po_request *request, po_attempt *a, po_kept_points
  * attracted by a hundredth of its pull-off force. */
 static const double PO_APART = 10.0;
 
-/* The factor by which a trace goes farther that did not suffice: it is repeated with a core larger
- * by it if the contact reaches the end of the core of an unbounded surface, and from an approach
- * farther by it if unloading leads beyond its beginning. */
-extern const double PO_FARTHER;
-
 /* Ratio of the error of the pull-off force to its tolerance above which a solve fails. */
 extern const double PO_MOST_EXCESS;
 
