@@ -13,7 +13,7 @@
 #include "po_scales.h"
 
 /* Nodes of a panel on one wavelength, and of the panel that reaches to infinity. */
-enum { WAVE_ORDER = PO_TABLE_ORDER, TAIL_ORDER = 16 };
+enum { WAVE_ORDER = PO_TABLE_ORDER, TAIL_ORDER = PO_TABLE_ORDER };
 
 /* Limits of the number of nodes: the largest core and 64 wavelengths give an influence matrix of 90
  * MB; without a matrix the limit corresponds to about 10 MB. */

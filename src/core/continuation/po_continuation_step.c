@@ -16,7 +16,7 @@ static const double AIMED_ERROR = 0.01, GREATEST_ERROR = 0.05;
 /* The greatest error for wavy scenes. With 0.05 a step passed over two extrema of the load, 0.026
  * eps apart at mu = 1, A = 0.4, lambda = 10, approach 26.6, where the contact edge passes a crest.
  */
-static const double GREATEST_ERROR_OF_WAVES = 0.03;
+static const double GREATEST_ERROR_OF_WAVES = PO_REFUSED * AIMED_ERROR;
 
 /* First change of Newton's method, relative to the greatest error, at which an attempt is given up.
  */
@@ -24,10 +24,6 @@ static const double FAR_GUESS = 1.25;
 
 /* Least cosine of the angle between the directions at both ends of a step. */
 static const double LEAST_COSINE = 0.7;
-
-/* The length of a step relative to the greatest for which the curve between its ends is
- * interpolated as accurately as required. */
-static const double JOIN_MARGIN = 0.85;
 
 /* If the sagitta of a step is below this multiple of largest_miss, the error of the cubic is not
  * computed: the rounding of the energies may exceed it. */
@@ -116,14 +112,10 @@ static po_status solve_predicted(po_continuation *t, po_prediction *p, double di
  * the law (4, 10) at 3000 are refused; up to mu = 300 the work is the same. */
 static const double EDGE_ERROR = 1e-5;
 
-/* The precision of the tangent in coordinates that scale with the contact: the rate of the approach
- * is then right to 1e-5 at a Tabor parameter of 10,000. */
-static const double SCALED_TANGENT = 1e-9;
-
 /* Precision of the tangents in a step of this length. */
 static double tangent_precision(const po_continuation *t, double step) {
-  if (t->c.e->narrow)
-    return SCALED_TANGENT;
+  if (t->c.e->narrow) /* in coordinates that scale with the contact */
+    return t->c.e->precision;
   double way = 0.0; /* of the contact edges in the step, in their widths */
   for (size_t k = 0; k < t->current.edges.count; ++k)
     way = fmax(way, step * fabs(t->current.edges.rate[k]) * t->c.e->coupling);
@@ -320,8 +312,8 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
     a->next = a->step * fmax(PO_STEP_CUT, fmin(0.7, sqrt(sqrt(AIMED_ERROR / error))));
     return PO_NOT_CONVERGED;
   }
-  const double joined = JOIN_MARGIN * joined_for(t);
-  if (joined < JOIN_MARGIN) {
+  const double joined = PO_AIM * joined_for(t);
+  if (joined < PO_AIM) {
     a->reason = BENT;
     a->next = a->step * fmax(PO_STEP_CUT, joined);
     return PO_NOT_CONVERGED;

@@ -8,15 +8,14 @@
 #include "po_deadline.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
+#include "po_margins.h"
 #include "po_memory.h"
 #include "po_prediction.h"
 #include "po_refine.h"
 
-/* MARKS: solutions through which the predictor goes. */
-enum { ROOT_LEVEL = 3, MARKS = 4 };
+/* Solutions through which the predictor goes. */
+enum { MARKS = 4 };
 
-/* Greatest error of the predictor, relative to 1 + H, with which a step is accepted. */
-static const double GREATEST_PREDICTOR_ERROR = 0.4;
 /* Length of the first step, relative to the distance to the parameter asked for. The first step
  * shows how the special point moves. */
 static const double FIRST_PART = 0.02;
@@ -207,7 +206,7 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
   f->options = *options;
   options->scene_at(options->data, at, &f->scene);
   po_status status = po_surface_create_panels(
-      &f->scene, options->domain_of(options->data, &f->scene), ROOT_LEVEL, &f->surface);
+      &f->scene, options->domain_of(options->data, &f->scene), 1 /* the coarsest */, &f->surface);
   const size_t capacity = status ? 0 : f->surface->capacity;
   if (!status)
     status = po_equilibrium_create(&f->scene, f->surface, &f->e);
@@ -328,7 +327,7 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
   if (status)
     return status;
   *error = po_prediction_error(&predicted, &p.of[0].scene->law, NULL, out);
-  if (!(*error < GREATEST_PREDICTOR_ERROR) || !(slope * f->slope > 0.0))
+  if (!(*error < PO_REFUSED * PO_NEAR_SOLUTION) || !(slope * f->slope > 0.0))
     return PO_NOT_CONVERGED;
   f->slope = slope;
   memcpy(f->value, value, sizeof f->value);

@@ -15,11 +15,8 @@ enum { MOST_SOLVES = 5 };
  * too many panels or nodes, the part is multiplied by COARSER until it exceeds MOST_CONTRIBUTES. */
 static const double CONTRIBUTES = 1e-4, COARSER = 10.0, MOST_CONTRIBUTES = 0.1;
 
-/* The secant method ends when its next step is shorter than PO_LOCATED, or than this part of its
- * last step. */
-static const double SMALL_STEP = 1e-3;
-
-/* The same for the first step, whose slope may be wrong by some percent. */
+/* The secant method ends when its next step is shorter than PO_LOCATED, or than this at the first
+ * step, whose slope may be wrong by some percent. */
 static const double AT_ROOT = 1e-11;
 
 /* First step of the secant method along the arclength functional if the slope is unknown. Narrow
@@ -66,9 +63,9 @@ static bool finer_panels(po_corrector *c, const po_solution *p, double part, po_
 }
 
 /* Where rounding and the ripple of the mesh disturb the rate, the root is extrapolated: if that
- * changes the extremal value by less than CLOSE, relative to 1 + its modulus, from at most FARTHEST
- * along the arclength functional. */
-static const double CLOSE = 1e-9, FARTHEST = 1e-3;
+ * changes the extremal value by less than PO_LOCATED, relative to 1 + its modulus, from at most
+ * FARTHEST along the arclength functional. */
+static const double FARTHEST = 1e-3;
 
 /* Moves a solution along its tangent, by a step of the arclength functional of `from`. */
 static void move(po_corrector *c, const po_solution *from, double step, po_solution *p) {
@@ -96,7 +93,7 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, double at, 
     const double step = isnan(*slope) ? TRIAL_STEP : -s.rate[of] / *slope;
     if (!isfinite(step))
       return PO_NOT_CONVERGED;
-    if (fabs(step) < fmax(k > 0 ? PO_LOCATED : AT_ROOT, SMALL_STEP * before)) {
+    if (fabs(step) < (k > 0 ? PO_LOCATED : AT_ROOT)) {
       move(c, from, step, out);
       value[0] = out->state[out->n];
       value[1] = out->load;
@@ -118,7 +115,7 @@ static po_status extrapolate(po_corrector *c, const po_solution *from, double at
     return status;
   const po_sample s = po_corrector_sample(from, out);
   const double left = -s.rate[of] / slope;
-  if (!(fabs(left) < FARTHEST && po_special_point_is_close(&s, of, left, CLOSE)))
+  if (!(fabs(left) < FARTHEST && po_special_point_is_close(&s, of, left, PO_LOCATED)))
     return PO_NOT_CONVERGED;
   for (int q = 0; q < 2; ++q)
     value[q] = s.value[q] + (q == (int)of ? 0.5 : 1.0) * s.rate[q] * left;

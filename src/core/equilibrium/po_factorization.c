@@ -22,10 +22,6 @@ static const double GAIN_OF_NEGLECT = 10.0, GAIN_OF_DOUBLE = 30.0;
 /* Factors are coarse if more was neglected than this multiple of what their gain allows. */
 static const double COARSE = 3.0;
 
-/* Pivot of a changed border below which the factors are discarded. The pivot is about the cosine
- * between the tangent at the factorisation and the present one. */
-static const double LEAST_PIVOT = 0.5;
-
 /* Starts a new matrix of order n. Returned: false if memory runs out. */
 static bool begin_matrix(po_factors *f, size_t n) {
   f->n = n;
@@ -183,7 +179,7 @@ void po_equilibrium_change_border(po_equilibrium *e, const double *border) {
   e->weak_count = 0;
   const double ratio =
       e->elimination ? po_elimination_border(e->elimination, border) / e->pivot : change_row(e);
-  e->factorized = ratio > LEAST_PIVOT;
+  e->factorized = ratio > PO_LEAST_DETERMINANT;
 }
 
 static po_status factorize_dense(po_equilibrium *e) {

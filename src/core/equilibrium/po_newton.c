@@ -12,11 +12,9 @@
 #include "po_linear.h"
 #include "po_margins.h"
 
-/* A change, relative to 1 + H, that may be due to rounding, with a wide margin. A smaller change
- * that no longer decreases is accepted as converged, and Broyden's method makes no update from it.
- */
-static const double STAGNATED = 1e-10;
-/* The same relative to the measured noise, which is the precision that an iteration can reach.
+/* A change, relative to 1 + H, that may be due to rounding: PO_FINEST_PRECISION, or this many times
+ * the measured noise. A smaller change that no longer decreases is accepted as converged, and
+ * Broyden's method makes no update from it. The noise is the precision that an iteration can reach.
  * Noise of stiff scenes is five to ten times the measured one; updates made of it amplify it, so
  * that with 5 the law (4, 10) at mu = 10,000 took three times as many points. */
 static const double STAGNATED_OF_NOISE = 20.0;
@@ -56,7 +54,7 @@ static double distance_of(const po_equilibrium *e, const double *state, const vo
 }
 
 static double stagnated(const po_equilibrium *e) {
-  return fmax(STAGNATED, STAGNATED_OF_NOISE * e->noise);
+  return fmax(PO_FINEST_PRECISION, STAGNATED_OF_NOISE * e->noise);
 }
 
 /* Rounding of the sum in Eq 15, relative to the result. */

@@ -4,10 +4,6 @@
 
 #include "po_linear.h"
 
-/* The denominator 1 - v.z is the inverse of the factor by which the correction lengthens the step,
- * and the determinant of the correction. A correction with a smaller denominator is left out. */
-static const double LEAST_DENOMINATOR = 0.2;
-
 void po_secant_allocate(po_secant *s, size_t capacity, po_arena *arrays) {
   *s = (po_secant){.capacity = capacity};
   s->u = po_arena_reserve(arrays, capacity * PO_SECANT_DEPTH, sizeof *s->u);
@@ -59,7 +55,7 @@ void po_secant_step(po_secant *s, double *change) {
   } else if (s->has_step) {
     double *u = s->u + s->count * s->capacity, *v = s->v + s->count * s->capacity;
     const double denominator = 1.0 - last_step(s, change, v);
-    if (denominator > LEAST_DENOMINATOR) {
+    if (denominator > PO_LEAST_DETERMINANT) {
       for (size_t j = 0; j < s->n; ++j)
         u[j] = change[j] /= denominator;
       ++s->count;

@@ -9,6 +9,11 @@
 
 #include "po_memory.h"
 
+/* Least determinant of a correction of rank one. That of an update is the denominator 1 - v.z, the
+ * inverse of the factor by which it lengthens the step: with a smaller one it is left out. Factors
+ * whose border changes by a smaller one are discarded. */
+static const double PO_LEAST_DETERMINANT = 0.2;
+
 /* The largest number of corrections; then all are dropped. */
 enum { PO_SECANT_DEPTH = 16 };
 

@@ -144,13 +144,10 @@ static po_status append_contact(builder *b, double a) {
                                     .position = position});
 }
 
-/* The part of the radius of a kink beside it at which the rates on its right are taken. */
-static const double BESIDE = 1e-14;
-
 /* Appends the last point again with the rates on its right. */
 static po_status append_corner(builder *b) {
   const jkr_curve *c = b->curve;
-  const double beside = c->kink * (1.0 + BESIDE), rate = radius_rate(c, beside);
+  const double beside = c->kink * (1.0 + PO_BESIDE), rate = radius_rate(c, beside);
   po_curve_point point = b->point[b->count - 1];
   point.approach_rate = approach_rate(beside, c) * rate;
   point.load_rate = load_rate(beside, c) * rate;
@@ -160,7 +157,7 @@ static po_status append_corner(builder *b) {
 /* Appends the folds and extrema between two contact radii in order, then the second contact
  * radius. */
 static po_status append_up_to(builder *b, double left, double right) {
-  const double from = left == b->curve->kink ? left * (1.0 + BESIDE) : left;
+  const double from = left == b->curve->kink ? left * (1.0 + PO_BESIDE) : left;
   const double fold = po_root(approach_rate, b->curve, from, right);
   const double extremum = po_root(load_rate, b->curve, from, right);
   /* NaN if there is none; fmin and fmax then return the other */

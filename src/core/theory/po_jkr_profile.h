@@ -11,6 +11,10 @@
 
 #include "po_jkr.h"
 
+/* The part of the radius of a kink beside it at which the rates on its right are taken: some
+ * spacings of doubles. */
+static const double PO_BESIDE = 1e-14;
+
 /* The equilibrium at a contact radius. Given: tabor > 0; contact_radius/eps >= 0. Returned: NaN in
  * all members outside the domain. Accuracy: 1e-14 of the largest term, measured on every row of
  * reference/jkr_profiles.csv (tests/theory/test_tables_profiles.c). */

@@ -206,8 +206,6 @@ enum { MOST_RADII = 20000 };
 /* The most work of a search that predicts, in pieces of integrals: some tenths of a second. A
  * contact of a hundred shallow waves takes as much, one of ten a tenth of it. */
 static const double MOST_WORK = 3e4;
-/* The part of the radius of a corner beside it at which the rate on its right is taken. */
-static const double BESIDE = 1e-12;
 
 /* Whether load and approach stay above `value` >= 0 from here on: the profile alone, with the
  * bounds of the waves, is more than the tension, whose part grows more slowly. */
@@ -277,7 +275,7 @@ po_status po_maugis_pull_off(const po_scene *scene, double tension, po_fixed fix
     left_rate = rate;
     if (!status &&
         a == po_profile_shape(&scene->profile).kink) { /* a corner, and the rate on its right */
-      left = a * (1.0 + BESIDE);
+      left = a * (1.0 + PO_BESIDE);
       status = rate_beyond(&s, left, &here, &left_rate);
       if (!status && rate < 0.0 && left_rate >= 0.0)
         status = take(&s, a, state);
@@ -345,7 +343,7 @@ po_status po_maugis_outermost(const po_scene *scene, double tension, po_fixed fi
     excess[0] = excess[1];
     rate[0] = rate[1];
     if (a[1] == kink)
-      a[0] = kink * (1.0 + BESIDE), status = rate_beyond(&p.s, a[0], &here, &rate[0]);
+      a[0] = kink * (1.0 + PO_BESIDE), status = rate_beyond(&p.s, a[0], &here, &rate[0]);
     a[1] = next_radius(&p.s, a[1]);
   }
   return status ? status

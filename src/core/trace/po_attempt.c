@@ -10,9 +10,6 @@
 #include "po_size.h"
 #include "po_trace.h"
 
-/* If the estimated error of the pull-off force exceeds the tolerance, or a fold is not found on a
- * finer mesh and is therefore probably spurious, the trace is repeated with this part of the
- * tolerance that would suffice. */
 const double PO_MOST_EXCESS = 10.0;
 
 enum { MOST_TRACES = 3 };
@@ -20,9 +17,6 @@ enum { MOST_TRACES = 3 };
 const double PO_SAME_LOAD = 10.0, PO_SAME_APPROACH = 1e-2;
 
 enum { MOST_MESHES = 4 };
-
-/* A trace begins at least this far below approach_end and the approach of the preload, eps. */
-static const double START_MARGIN = 1.0;
 
 /* A trace for hysteresis begins at most at -BEGIN times the sum of the length in which the law
  * changes and the elastic elongation at pull-off. For a smooth sphere this is -4 (1 + mu) eps; by
@@ -59,12 +53,12 @@ static bool needs_larger_domain(const po_request *request, const po_result *resu
 static double latest_start(const po_request *request) {
   const double preload = request->preload.approach;
   const double end = fmin(request->approach_end, request->profile_approach);
-  const double begin = (isfinite(preload) ? fmin(end, preload) : end) - START_MARGIN;
+  const double length = po_law_size(&request->scene.law, 0.0); /* in which the law changes */
+  const double begin = (isfinite(preload) ? fmin(end, preload) : end) - length;
   if (!(request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD)))
     return begin;
   const po_scene *scene = &request->scene;
-  return fmin(begin,
-              -BEGIN * (po_law_size(&scene->law, 0.0) + po_scene_scales(scene).wavy_stretch));
+  return fmin(begin, -BEGIN * (length + po_scene_scales(scene).wavy_stretch));
 }
 
 /* The least part of the estimate that a solve needs. */

@@ -239,16 +239,16 @@ static double error_of_initial_gap(const po_scene *scene, double domain, double 
   return sum;
 }
 
-/* Cores are tried up to this multiple of the first one, or beyond the last row. */
-static const double MOST = 16.0;
+/* Factor between the cores that are tried, up to MOST times the first, or the last row. */
+static const double LARGER = 1.25, MOST = 16.0;
 
 double po_far_field_core(const po_scene *scene, double core, double tolerance) {
   if (isfinite(scene->outer_radius) || isinf(po_law_numbers_of(&scene->law)->exponent))
     return core;
   const double allowed = PO_PART_OF_TOLERANCE * tolerance * po_scene_scales(scene).load;
   const double rows = po_profile_shape(&scene->profile).end;
-  const double most = fmax(MOST * core, isfinite(rows) ? PO_FARTHER * rows : 0.0);
-  for (double c = core; c < most; c *= PO_FARTHER)
+  const double most = fmax(MOST * core, isfinite(rows) ? LARGER * rows : 0.0);
+  for (double c = core; c < most; c *= LARGER)
     if (!(error_of_initial_gap(scene, po_trace_domain(scene, c), allowed) > allowed))
       return c;
   return core;

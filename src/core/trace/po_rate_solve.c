@@ -8,6 +8,7 @@
 #include "po_deadline.h"
 #include "po_estimate.h"
 #include "po_far_field.h"
+#include "po_law.h"
 #include "po_march.h"
 #include "po_margins.h"
 #include "po_memory.h"
@@ -18,10 +19,11 @@
 /* -- Marches -- */
 
 /* Unloading ends when the bodies are nowhere in contact, the tension is below this part of its
- * greatest value, and the base has moved farther by a length, eps, since the
- * contact ended: all marches end at the same position, and with other steps it ends a little later.
+ * greatest value, and the base has moved farther by a part of its way and the length in which the
+ * law changes since the contact ended: all marches end at the same position, and with other steps
+ * it ends a little later.
  */
-static const double END_OF_TENSION = 0.01, BEYOND = 0.5;
+static const double END_OF_TENSION = 0.01, PART_BEYOND = 0.01;
 
 typedef struct {
   const po_request *request;
@@ -96,7 +98,9 @@ static bool visit_march(const po_rate_point *point, po_march_phase phase, void *
       grown[u->count++] = *point;
     }
   }
-  return u->status || (phase == PO_UNLOADING && !u->fixed && point->moved > u->parted + BEYOND &&
+  const double farther = po_law_size(&u->request->scene.law, 0.0);
+  return u->status || (phase == PO_UNLOADING && !u->fixed &&
+                       point->moved > (1.0 + PART_BEYOND) * u->parted + farther &&
                        -point->load < END_OF_TENSION * u->tension);
 }
 

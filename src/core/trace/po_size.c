@@ -28,9 +28,6 @@ static const double PROGRAM_BYTES = 12e6, NODE_BYTES = 8e3, BLOCK_BYTES = 80e6,
 
 const size_t PO_MOST_NODES_OF_MESH = (size_t)PO_MOST_PANELS * PO_TABLE_ORDER;
 
-/* Nodes of rings and triangles: of a wave beyond the core, and of the panel to infinity. */
-enum { WAVE_NODES = 12, TAIL_NODES = 16 };
-
 /* The radius of the part of the surface that may come into contact. */
 static double contact_part(const po_request *request) {
   po_request unbounded = *request;
@@ -58,9 +55,9 @@ static po_size size_of_fixed(const po_request *request) {
   if (isinf(scene->outer_radius)) {
     const double core = po_trace_core(request);
     const double beyond = po_averaging_radius(scene, po_averaging_phase(scene, core)) - core;
-    nodes += TAIL_NODES;
+    nodes += PO_TABLE_ORDER;
     if (po_scene_is_wavy(scene))
-      nodes += WAVE_NODES * ceil(beyond / po_initial_gap_detail(scene));
+      nodes += PO_TABLE_ORDER * ceil(beyond / po_initial_gap_detail(scene));
   }
   return (po_size){(size_t)nodes, PROGRAM_BYTES + 2.0 * sizeof(double) * nodes * nodes};
 }
