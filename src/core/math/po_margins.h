@@ -22,7 +22,7 @@ static const double PO_AIM = 0.8;
 /* A contact radius that stands for zero, of the length in which a curve changes beside it. */
 static const double PO_NEAR_AXIS = 1e-3;
 
-/* ratio of successive radii that are looked at one by one. */
+/* Ratio of successive radii that are looked at one by one. */
 static const double PO_NEXT_RADIUS = 1.05;
 
 /* Points in a wavelength at which a function of the radius is looked at: slope and load have two

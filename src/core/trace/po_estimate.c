@@ -72,17 +72,15 @@ static po_contact_edge edge_of(const po_request *request, const po_branch_point 
   return (po_contact_edge){po_contact_radius(&gap), NAN, NAN};
 }
 
-/* The error of the contact radius of an extremum of the load by the error of its place on the
- * branch, in which the error of its approach is of the first order. The place of a fold is certain:
- * its approach turns quickly. */
-static double edge_error_of_place(const po_branch_point *p) {
+/* The error of the contact radius by the error of the place on the branch, in which that of the
+ * approach of an extremum of the load, and of the load of a fold, is of the first order. */
+static double edge_error_of_place(const po_branch_point *p, const po_special_point *of) {
   const po_solution *best = p->best;
   const bool of_load = p->kind == PO_POINT_LOAD_MIN || p->kind == PO_POINT_LOAD_MAX;
-  const double rate = best->tangent[best->n];
+  const double rate = of_load ? best->tangent[best->n] : best->load_rate;
+  const double error = of_load ? of->approach_error : of->load_error;
   const size_t edges = best->edges.count;
-  return of_load && edges > 0 && rate != 0.0
-             ? p->approach_error * fabs(best->edges.rate[edges - 1] / rate)
-             : 0.0;
+  return edges > 0 && rate != 0.0 ? error * fabs(best->edges.rate[edges - 1] / rate) : 0.0;
 }
 
 /* The change of the energy at given approach from a point to the solution on the finer mesh. */
@@ -120,7 +118,8 @@ static void add_far_field(const po_request *request, const po_branch_point *p, p
   const po_far_field far = po_far_field_of(&request->scene, p->best);
   /* the second is that of the energy of the deflection, too */
   const double far_energy = fmax(far.energy, far.load * (1.0 + fabs(p->approach)));
-  e->point.contact_radius_error = fmax(e->point.contact_radius_error, edge_error_of_place(p));
+  e->point.contact_radius_error =
+      fmax(e->point.contact_radius_error, edge_error_of_place(p, &e->point));
   e->point.approach_error += far.approach;
   e->point.load_error += far.load;
   e->far_load_error = far.load;
