@@ -14,6 +14,13 @@ static double approach_weight(const po_equilibrium *e) {
   return e->share / e->approach_scale;
 }
 
+/* Square of the weight of the approach in the nodal coordinates. */
+static const double APPROACH_WEIGHT = 0.05;
+
+/* In the nodal coordinates, the scale of the law (1 + H for Lennard-Jones) is limited to this
+ * value. */
+static const double FAR_GAP = 10.0;
+
 static double load_weight(const po_equilibrium *e) {
   return e->share * e->load_weight;
 }
@@ -114,13 +121,14 @@ static double nodal_weight(const po_equilibrium *e, size_t j) {
 /* d(coordinate)/dH at a node, for the nodal coordinates. */
 static double nodal_slope(const po_equilibrium *e, const double *state, size_t j) {
   const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
-  return nodal_weight(e, j) * h.rate / h.size;
+  return h.size < FAR_GAP ? nodal_weight(e, j) * h.rate / h.size : 0.0;
 }
 
 static void nodal_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
   for (size_t j = 0; j < e->n; ++j)
-    coordinate[j] = nodal_weight(e, j) * po_log(po_law_size(&e->scene->law, state[j]));
-  coordinate[e->n] = state[e->n];
+    coordinate[j] =
+        nodal_weight(e, j) * po_log(fmin(po_law_size(&e->scene->law, state[j]), FAR_GAP));
+  coordinate[e->n] = sqrt(APPROACH_WEIGHT) * state[e->n];
 }
 
 /* The derivatives d(coordinate_j)/d(state_j), which form a diagonal matrix, times a vector. */
@@ -128,7 +136,7 @@ static void nodal_times(const po_equilibrium *e, const double *state, const doub
                         double *product) {
   for (size_t j = 0; j < e->n; ++j)
     product[j] = nodal_slope(e, state, j) * others[j];
-  product[e->n] = others[e->n];
+  product[e->n] = sqrt(APPROACH_WEIGHT) * others[e->n];
 }
 
 void po_arclength_coordinates(po_arclength a, const po_equilibrium *e, const double *state,

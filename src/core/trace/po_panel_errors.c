@@ -5,8 +5,8 @@
 #include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_linear.h"
-#include "po_quadrature.h"
 #include "po_margins.h"
+#include "po_quadrature.h"
 #include "po_solution.h"
 
 /* Distance of a kink from the end of a panel, relative to its length, within which it is there. */
@@ -15,9 +15,9 @@ static const double AT_END = 1e-9;
 /* A panel of a solution: its radii, eps, and the values at its nodes. */
 typedef struct {
   double begin, size;
-  double deflection[PO_TABLE_ORDER]; /* H - f */
-  double traction[PO_TABLE_ORDER];
-  double tangent[PO_TABLE_ORDER]; /* dH/ds */
+  double deflection[PO_TABLE_ORDER];                         /* H - f */
+  double traction[PO_TABLE_ORDER], response[PO_TABLE_ORDER]; /* p and dp/dH */
+  double tangent[PO_TABLE_ORDER];                            /* dH/ds */
 } panel;
 
 static panel panel_of(const po_scene *scene, const po_solution *p, size_t k) {
@@ -27,7 +27,9 @@ static panel panel_of(const po_scene *scene, const po_solution *p, size_t k) {
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
     const size_t at = k * PO_TABLE_ORDER + j;
     here.deflection[j] = p->deflection[at];
-    here.traction[j] = po_law_at(&scene->law, p->state[at]).traction;
+    const po_law_value law = po_law_at(&scene->law, p->state[at]);
+    here.traction[j] = law.traction;
+    here.response[j] = law.slope;
     here.tangent[j] = p->tangent[at];
   }
   return here;
@@ -97,7 +99,7 @@ static integrals by_nodes(const po_scene *scene, const panel *p) {
     const double gap = po_initial_gap(scene, r) + p->deflection[j];
     sum.energy += weight * po_law_energy(&scene->law, gap);
     sum.load += weight * p->traction[j];
-    sum.rate += weight * po_law_at(&scene->law, gap).slope * p->tangent[j];
+    sum.rate += weight * p->response[j] * p->tangent[j];
   }
   return sum;
 }
@@ -187,6 +189,16 @@ po_point_error po_panel_errors(const po_scene *scene, const po_solution *p) {
   return (po_point_error){factor * (change + lacking), factor * load};
 }
 
+/* By how much the surface gives way to what a panel misses between its nodes. Where the surfaces
+ * are pressed together the gap is nearly fixed, so that the deflection follows the joint and the
+ * traction changes by far less than at a deflection that does not. */
+static double giving_way(const po_scene *scene, const panel *p) {
+  double response = 0.0;
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+    response = fmax(response, fabs(p->response[j]));
+  return 1.0 + response * po_scene_coupling(scene) * p->size / (PO_TABLE_ORDER * PO_TABLE_ORDER);
+}
+
 po_joint_errors po_joint_errors_of(const po_scene *scene, const po_branch_point *point) {
   const po_solution *const p = point->best;
   po_joint_errors sum = {0};
@@ -198,11 +210,12 @@ po_joint_errors po_joint_errors_of(const po_scene *scene, const po_branch_point 
     if (!has_joint(scene, &here))
       continue;
     const integrals finer = by_pieces(scene, &here), nodes = by_nodes(scene, &here);
-    const double missed = fabs(finer.load - nodes.load);
+    const double given = giving_way(scene, &here);
+    const double missed = fabs(finer.load - nodes.load) / given;
     sum.load += PO_SAFETY * 2.0 / scene->radius * missed;
     sum.energy += PO_SAFETY * 2.0 / scene->radius * fabs(finer.energy - nodes.energy);
     sum.gap += po_scene_coupling(scene) * missed / (here.begin + here.size);
-    rate += 2.0 / scene->radius * fabs(finer.rate - nodes.rate);
+    rate += 2.0 / scene->radius * fabs(finer.rate - nodes.rate) / given;
   }
   sum.approach = sum.gap;
   if (point->kind == PO_POINT_LOAD_MIN || point->kind == PO_POINT_LOAD_MAX)
