@@ -16,10 +16,14 @@
  * energies lost. */
 static const double LEAST_MISS = 1e-8, LEAST_OF_STAIRCASE = 1e-5;
 
+/* The part for loops, less because the areas between the branch and the cubics add up in the work
+ * of a closed loop. */
+static const double PART_OF_LOOPS = 0.06;
+
 double po_estimate_miss(const po_request *request) {
   const bool drawn = request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS);
-  return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE,
-              PO_PART_OF_TOLERANCE * request->mesh.tolerance);
+  const double part = request->want & PO_WANT_HYSTERESIS ? PART_OF_LOOPS : PO_PART_OF_TOLERANCE;
+  return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE, part * request->mesh.tolerance);
 }
 
 /* Error of the energy of a rigid scene, see po_rigid_energy. */
