@@ -65,6 +65,21 @@ TABLE_TEST(errors_of_a_kink_are_stated, BODIES) {
   po_result_clear(&tight);
 }
 
+/* The traction has the kink of the profile, and so has the deflection: the load that the nodes miss
+ * at a given deflection is not the whole error. */
+TEST(error_of_a_kink_between_waves_is_stated) {
+  po_scene scene = po_scene_default();
+  scene.radius = 1.0;
+  scene.tabor = pow(0.000362555, 2.0 / 3.0);
+  ck_assert(po_profile_set(&scene.profile, "truncated:25.981,47.8932"));
+  ck_assert(po_scene_set_waves(&scene, "5.56827@22.9404;0.101679@5.26167;2.00693@16.907"));
+  po_result loose = pull_off_of(&scene, 1e-4), tight = pull_off_of(&scene, 1e-7);
+  compare("force", loose.pull_off.force, tight.pull_off.force,
+          loose.pull_off.force_error + tight.pull_off.force_error);
+  po_result_clear(&loose);
+  po_result_clear(&tight);
+}
+
 static const double APPROACH = -3.0;
 
 /* phi r beyond the mesh, of bodies that do not deform. */
