@@ -402,8 +402,8 @@ static void continue_beyond(const po_scene *scene, po_particle_law *law) {
   law->hertz_origin = last->overlap - root * root;
 }
 
-/* The part by which the energy lost of the table
- * may differ from that of the solver, a half of the thousandth that is promised. */
+/* The part by which the energy lost of the table may differ from that of the solver, a half of the
+ * thousandth that is promised. */
 static const double OF_LOSS = 5e-4;
 enum { MOST_FITS = 8 };
 

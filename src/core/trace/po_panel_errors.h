@@ -19,9 +19,10 @@ po_point_error po_panel_errors(const po_scene *scene, const po_solution *solutio
 /* Errors of a special point by the joints of the profile inside panels (po_profile_next_joint), at
  * least: eps, pi w R, pi w R eps. One finer mesh may show nothing of them: the error of the
  * integrals over a panel goes with the place of the joint, and its change by halving the panel may
- * vanish by chance. Load and energy are those that the nodes miss at the given deflection; a load
- * that is missed at the radius s deflects the surface by about coupling times it over s; and an
- * extremum of the load moves by the rate of the load that is missed over the second derivative. */
+ * vanish by chance. Load and energy are those that the nodes miss at the given deflection, the load
+ * less as the surface gives way to it; a load that is missed at the radius s deflects the surface
+ * by about coupling times it over s; and an extremum of the load moves by the rate of the load that
+ * is missed over the second derivative. */
 typedef struct {
   double approach, load, energy;
   double gap; /* of the gap at the approach of the solution */
