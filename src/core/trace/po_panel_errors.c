@@ -71,14 +71,17 @@ static integrals by_halves(const po_scene *scene, const panel *p) {
 /* Length of a piece at least, relative to the panel. */
 static const double SHORTEST_PIECE = 1.0 / 16.0;
 
-/* The same by Gauss's rule on the pieces between the joints of the profile, and the middle. Of a
- * panel with many rows of a table the error is then that of the shortest piece. */
+/* The same by Gauss's rule on the pieces between the joints of the profile, and the middle, each at
+ * most as long as a wave. Of a panel with many rows or waves the error is then that of the shortest
+ * piece. */
 static integrals by_pieces(const po_scene *scene, const panel *p) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
+  const double detail = po_initial_gap_detail(scene);
   integrals sum = {0};
   for (double from = 0.0, to; from < 1.0; from = to) {
-    const double joint = po_profile_next_joint(&scene->profile, p->begin + p->size * from);
-    to = fmax((joint - p->begin) / p->size, from + SHORTEST_PIECE);
+    const double begin = p->begin + p->size * from;
+    const double end = fmin(po_profile_next_joint(&scene->profile, begin), begin + detail);
+    to = fmax((end - p->begin) / p->size, from + SHORTEST_PIECE);
     to = fmin(to, from < 0.5 ? 0.5 : 1.0);
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
       const double x = from + (to - from) * rule->node[j];
@@ -131,10 +134,11 @@ static bool has_joint(const po_scene *scene, const panel *p) {
          p->begin + p->size * (1.0 - AT_END);
 }
 
-/* The integrals over a panel by a finer rule. Half a panel that has a kink inside would have as
- * large an error as the whole, and their difference may vanish by chance. */
+/* The integrals over a panel by a finer rule. Half a panel that has a kink or several waves inside
+ * would have as large an error as the whole, and their difference may vanish by chance. */
 static integrals finer_integrals(const po_scene *scene, const panel *p) {
-  return has_joint(scene, p) ? by_pieces(scene, p) : by_halves(scene, p);
+  const bool is_wavy = p->size > 2.0 * po_initial_gap_detail(scene);
+  return is_wavy || has_joint(scene, p) ? by_pieces(scene, p) : by_halves(scene, p);
 }
 
 /* Where the slope of the profile jumps, that of the traction jumps by the response dp/dH times as
