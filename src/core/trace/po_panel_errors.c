@@ -120,12 +120,19 @@ static double error_of_rule(int power) {
   return fabs(sum);
 }
 
-/* On a cut surface the traction p ends with a jump. So the deflection has a part -(2/pi) coupling p
- * x ln x at the distance x from the end, and the integrand phi + p u/2 of the energy has -p/2 of
- * it. Given: the last panel. */
-static double of_end(const po_scene *scene, const panel *last) {
-  const double p = last->traction[PO_TABLE_ORDER - 1], end = last->begin + last->size;
-  return po_scene_coupling(scene) / M_PI * p * p * last->size * last->size * end * error_of_rule(1);
+/* The value of the polynomial through the nodal tractions of a panel at its beginning or end. */
+static double traction_at(const panel *p, int end) {
+  return po_linear_dot(PO_TABLE_ORDER, p->traction, po_panel_table_get()->legendre.at_end[end]);
+}
+
+/* Between two panels the polynomials of the traction jump by J, and at the end of a cut surface the
+ * traction does. So the deflection has a part -(2/pi) coupling J x ln x at the distance x from
+ * there, and the integrand phi + p u/2 of the energy has -p/2 of it. Given: a panel, and the next
+ * one; of the last panel one without tractions. */
+static double of_border(const po_scene *scene, const panel *p, const panel *next) {
+  const double a = traction_at(p, 1), b = traction_at(next, 0), end = p->begin + p->size;
+  const double parts = fabs(a) * p->size * p->size + fabs(b) * next->size * next->size;
+  return po_scene_coupling(scene) / M_PI * fabs(a - b) * parts * end * error_of_rule(1);
 }
 
 /* Whether the profile has a joint inside a panel. */
@@ -178,16 +185,19 @@ static double of_corners(const po_scene *scene, const panel *p) {
 po_point_error po_panel_errors(const po_scene *scene, const po_solution *p) {
   const double coupling = po_scene_coupling(scene);
   double change = 0.0, lacking = 0.0, load = 0.0;
+  panel here = panel_of(scene, p, 0);
   for (size_t k = 0; k < p->panels->count; ++k) {
-    const panel here = panel_of(scene, p, k);
+    const bool is_last = k + 1 == p->panels->count;
+    const panel next = is_last ? (panel){0} : panel_of(scene, p, k + 1);
     const integrals finer = finer_integrals(scene, &here);
     const integrals nodes = by_nodes(scene, &here);
     change += fabs(finer.energy - nodes.energy);
     load += fabs(finer.load - nodes.load);
     lacking += coupling * here.size / PO_TABLE_ORDER * finer.squares;
     lacking += of_corners(scene, &here);
-    if (k + 1 == p->panels->count && isfinite(scene->outer_radius))
-      lacking += of_end(scene, &here);
+    if (!is_last || isfinite(scene->outer_radius))
+      lacking += of_border(scene, &here, &next);
+    here = next;
   }
   const double factor = PO_SAFETY * 2.0 / scene->radius;
   return (po_point_error){factor * (change + lacking), factor * load};
