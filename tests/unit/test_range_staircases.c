@@ -26,10 +26,22 @@ static po_path_state state_of(double approach, double load, double (*of)(double,
   return (po_path_state){.approach = of(approach, s) / s, .load = of(load, s)};
 }
 
+/* A crest whose gap becomes less than the height of the waves between the ranges and the true one:
+ * the power changes from 0.53 to 0.86. */
+static double of_low_crest(double value, double s) {
+  return value * 2.0 / (pow(s, -0.52) + pow(s, -1.2));
+}
+
+static bool has_low_crest;
+
+static double of_beginning(double value, double s) {
+  return has_low_crest ? of_low_crest(value, s) : of_crests(value, s);
+}
+
 /* Lengths in the unit of the range. The first step is made at every second range only. */
 static po_step step_of(int k, double s) {
   po_step step = {.jumped = solves >= no_jump, .open = k == STEPS - 1, .cycle_count = 1};
-  step.preload = state_of(30.0 * k - 50.0, 0.5 * k - 0.9, of_crests, s);
+  step.preload = state_of(30.0 * k - 50.0, 0.5 * k - 0.9, of_beginning, s);
   step.preload.position = k;
   step.until = step.open ? state_of(900.0, 10.0, of_edges, s)
                          : state_of(30.0 * k - 20.0, 0.5 * k - 0.4, of_crests, s);
@@ -91,8 +103,9 @@ static void expect_number(double value, double error, double expected, double pa
 static void expect_step(const po_step *step, int k) {
   const po_step truth = step_of(k, 1.0);
   expect_number(step->pull_off.load, step->pull_off_error.load, truth.pull_off.load, 1e-4);
-  expect_number(step->preload.approach, step->preload_error.approach, truth.preload.approach, 1e-4);
-  expect_number(step->preload.load, step->preload_error.load, truth.preload.load, 1e-4);
+  const double most = has_low_crest ? 5.0 : 1e-4;
+  expect_number(step->preload.approach, step->preload_error.approach, truth.preload.approach, most);
+  expect_number(step->preload.load, step->preload_error.load, truth.preload.load, most);
   expect_number(step->cycle->loss.energy, step->cycle->energy_error, truth.cycle->loss.energy,
                 0.01);
   ck_assert_double_gt(step->cycle->energy_error, 0.1);
@@ -119,6 +132,19 @@ TEST(steps_of_all_ranges_are_stated) {
   po_result_clear(&o);
 }
 
+/* What the power leaves is not known from ranges where it is another. */
+TEST(errors_of_a_changing_power_are_stated) {
+  solves = few_jumps = no_jump = 0;
+  has_low_crest = true;
+  po_request request;
+  po_result o;
+  ck_assert_int_eq(staircases(&request, &o), PO_OK);
+  for (int k = 1; k < STEPS; ++k)
+    expect_step(&o.staircase.of[PO_AT_APPROACH].step[k - 1], k);
+  has_low_crest = false;
+  po_result_clear(&o);
+}
+
 /* Smaller ranges are solved until the last step begins with the same jumps at six of them. */
 LOOP_TEST(ranges_with_other_jumps_are_followed_by_others, 0, 2) {
   solves = 0;
@@ -132,18 +158,19 @@ LOOP_TEST(ranges_with_other_jumps_are_followed_by_others, 0, 2) {
   po_result_clear(&o);
 }
 
-/* Without such ranges the forces are known, and the errors of what depends on the jumps are not. */
-LOOP_TEST(errors_are_unknown_where_jumps_differ, 0, 2) {
+/* Without such ranges the forces are known, and the errors of what depends on the jumps are not;
+ * nor is the beginning at a minimum at all ranges, past which a crest may jump at the true one. */
+LOOP_TEST(errors_are_unknown_where_jumps_differ, 0, 3) {
   solves = 0;
   few_jumps = _i == 0 ? 5 : 0;
-  no_jump = _i == 1 ? 5 : 0;
+  no_jump = _i == 0 ? 0 : _i == 1 ? 5 : 100;
   po_request request;
   po_result o;
   ck_assert_int_eq(staircases(&request, &o), PO_OK);
   const po_step *step = &o.staircase.of[PO_AT_APPROACH].step[1];
   expect_number(step->pull_off.load, step->pull_off_error.load, of_edges(-3.0, 1.0), 1e-4);
-  ck_assert_double_nan(step->cycle->energy_error);
-  ck_assert(isnan(step->preload_error.approach) == (_i == 1));
+  ck_assert(isnan(step->cycle->energy_error) == (_i < 2));
+  ck_assert(isnan(step->preload_error.approach) == (_i > 0));
   po_result_clear(&o);
 }
 

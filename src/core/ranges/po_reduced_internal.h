@@ -98,15 +98,16 @@ po_status po_range_find_reversal(const po_range_follower *f, bool *known,
 /* Terms of F(s), found from as many ranges; and one range more, for the error. */
 enum { PO_RANGE_TERMS = 5, PO_RANGES_OF_LIMIT = PO_RANGE_TERMS + 1 };
 
+/* On what a number depends: on contact edges, and changes as F(s) in po_reduced.h; on a crest that
+ * jumps into contact, and changes with powers of s^(4/7). */
+typedef enum { PO_BY_EDGES, PO_BY_CRESTS } po_range_terms;
+
 typedef struct {
   /* Weights of the values: of all terms by the last ranges, by those before, and with one term
    * less. */
   double weight[PO_RANGES_OF_LIMIT], before[PO_RANGES_OF_LIMIT], fewer[PO_RANGES_OF_LIMIT];
+  po_range_terms terms;
 } po_range_limit;
-
-/* On what a number depends: on contact edges, and changes as F(s) in po_reduced.h; on a crest that
- * jumps into contact, and changes with powers of s^(4/7). */
-typedef enum { PO_BY_EDGES, PO_BY_CRESTS } po_range_terms;
 
 /* Given: the ranges, decreasing. */
 po_range_limit po_range_limit_of(po_range_terms terms, const double range[PO_RANGES_OF_LIMIT]);
@@ -149,7 +150,9 @@ double po_range_limit_of_number(const po_range_group *g, const po_range_limit *l
                                 size_t error_offset, double *bound);
 
 /* The limit of a po_path_state of these structs at an offset, and in *error bounds of the errors of
- * approach and load, *energy that of its energy. */
+ * approach and load, *energy that of its energy. Where these are of a crest, and fall to less than
+ * half from the last range to the limit, the change is the least bound: the power is another one
+ * where the gap, across which the crest jumps, becomes less than the height of the waves. */
 po_path_state po_range_limit_of_state(const po_range_group *g, const po_range_limit *limit,
                                       size_t offset, po_path_error *error, double *energy);
 

@@ -57,7 +57,7 @@ static void weights_of(po_range_terms kind, const double range[SOLVES], int firs
 }
 
 po_range_limit po_range_limit_of(po_range_terms kind, const double range[SOLVES]) {
-  po_range_limit l;
+  po_range_limit l = {.terms = kind};
   weights_of(kind, range, SOLVES - TERMS, TERMS, l.weight);
   weights_of(kind, range, SOLVES - TERMS - 1, TERMS, l.before);
   weights_of(kind, range, SOLVES - TERMS + 1, TERMS - 1, l.fewer);
@@ -92,6 +92,13 @@ double po_range_limit_of_number(const po_range_group *g, const po_range_limit *l
   return finite ? po_range_limit_at(limit, value, error, bound) : value[SOLVES - 1];
 }
 
+/* Raises the bound of a limit to its change from the last range if that is more than the limit. */
+static void raise_if_halved(double last, double limit, double *bound) {
+  const double change = fabs(limit - last);
+  if (change > fabs(limit))
+    *bound = fmax(*bound, change);
+}
+
 po_path_state po_range_limit_of_state(const po_range_group *g, const po_range_limit *limit,
                                       size_t offset, po_path_error *error, double *energy) {
   const po_path_state last = *(const po_path_state *)(const void *)(g->at[SOLVES - 1] + offset);
@@ -99,12 +106,17 @@ po_path_state po_range_limit_of_state(const po_range_group *g, const po_range_li
 #define LIMIT(name, bound)                                                                         \
   po_range_limit_of_number(g, limit, offset + offsetof(po_path_state, name), PO_RANGE_NO_ERROR,    \
                            bound)
-  return (po_path_state){.approach = LIMIT(approach, &error->approach),
-                         .load = LIMIT(load, &error->load),
-                         .energy = LIMIT(energy, energy),
-                         .contact_radius = LIMIT(contact_radius, &ignored),
-                         .position = last.position};
+  const po_path_state state = {.approach = LIMIT(approach, &error->approach),
+                               .load = LIMIT(load, &error->load),
+                               .energy = LIMIT(energy, energy),
+                               .contact_radius = LIMIT(contact_radius, &ignored),
+                               .position = last.position};
 #undef LIMIT
+  if (limit->terms == PO_BY_CRESTS && isfinite(last.approach)) {
+    raise_if_halved(last.approach, state.approach, &error->approach);
+    raise_if_halved(last.load, state.load, &error->load);
+  }
+  return state;
 }
 
 /* -- Where loading jumps -- */

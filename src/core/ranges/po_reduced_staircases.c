@@ -169,18 +169,18 @@ static void take_pull_off(const po_result *o, po_step *step) {
 }
 
 /* The limit of a step, with the cycles of the last range. Given: the step behind it, which is known
- * already; NULL: it is the last. The preload of one that does not begin alike at all ranges is that
- * of the last one, with an unknown error. */
+ * already; NULL: it is the last. The preload of one that does not begin at a jump at all ranges is
+ * that of the last one, with an unknown error: at the true range a crest may jump later, past the
+ * minimum of the load at which the step begins. */
 static po_step limit_of(const bundle *b, const po_range_group *g, const po_step *behind) {
   po_step step = *step_at(g, SOLVES - 1);
   po_path_error ignored;
   double energy;
   const bool ends_behind = behind && step.until.position == behind->preload.position;
   step.preload_error = (po_path_error){NAN, NAN};
-  if (begins_alike(g))
-    step.preload =
-        po_range_limit_of_state(g, step.jumped ? &b->of->crests : &b->of->edges,
-                                offsetof(po_step, preload), &step.preload_error, &energy);
+  if (step.jumped && begins_alike(g))
+    step.preload = po_range_limit_of_state(g, &b->of->crests, offsetof(po_step, preload),
+                                           &step.preload_error, &energy);
   if (ends_behind)
     step.until = behind->preload;
   else if (!step.open)
