@@ -636,7 +636,8 @@ def read_curve(path, columns: Sequence[str] | None = None, stiffness: float = np
         columns = (["base_nm", "load_nN"] if {"base_nm", "load_nN"} <= set(names) else columns[:3])
     places = [int(word) - 1 if word.isdigit() else names.index(word) if word in names else None for word in columns]
     if len(places) not in (2, 3) or None in places or not all(0 <= place < len(names) for place in places):
-        raise NoFit(f"{path}: expected two or three columns with units, of {', '.join(names)}")
+        raise NoFit(f"{path}: expected two or three columns with units, of {', '.join(names)}: at the end of a name (z_nm, force [nN]), in a line "
+                    "below the names, or given by --units, such as --units um,nN")
     if units and (len(units) != len(places) or not set(units) <= set(UNITS)):
         raise NoFit(f"units is {','.join(units)}: expected one of {', '.join(UNITS)} for each of the {len(places)} columns")
     units = [unit_of(unit) for unit in units or [names[place] for place in places]]
@@ -701,7 +702,7 @@ def report(curve, full, theories, radius, other=None):
     gain = (best.chi2_contact - full.chi2_contact) * best.count
     lines.append("preferred   " + ("the full law: no theory fits the part in contact as well" if gain > SIGNIFICANT else
                                    f"{best.model}, which fits the part in contact better than the full law" if gain < -SIGNIFICANT else
-                                   f"not told by the part in contact, which {best.model} fits as well; a good fit does not make its w right"))
+                                   f"none: {best.model} fits the part in contact as well as the full law; that does not make its w right"))
     if full.chi2 > BAD_FIT:
         lines.append(f"warning     chi2/n is {full.chi2:.3g}: the full law does not describe these data, and the errors are not to be relied on")
     if other is not None:

@@ -55,7 +55,7 @@ def test_soft_sample():
     jkr = fit.fit_theory("JKR", curve, *SOFT[:2])
     assert jkr.values[0] == pytest.approx(SOFT[2][0], rel=0.01) and jkr.values[2] == pytest.approx(SOFT[2][2], rel=0.01)
     lines = "\n".join(fit.report(curve, found, [jkr, fit.fit_theory("DMT", curve, *SOFT[:2])], SOFT[0]))
-    assert "the model is a paraboloid" in lines and "which JKR fits as well" in lines
+    assert "the model is a paraboloid" in lines and "none: JKR fits the part in contact as well as the full law" in lines
 
 
 def test_soft_sphere_itself():
@@ -211,7 +211,9 @@ def test_baseline_ends_before_the_jump():
     (4, "pulloff: none.csv does not exist: expected a table", "fit none.csv --radius-m 1e-8"),
     (3, "pulloff: a deflection needs the stiffness of the lever", "fit lever.csv --radius-m 1e-8"),
     (3, "pulloff: no attraction above the noise on the way out", "fit flat.csv --radius-m 1e-8"),
-    (3, "expected two or three columns with units, of a, b", "fit names.csv --radius-m 1e-8"),
+    # It did not say where a unit stands.
+    (3, "expected two or three columns with units, of a, b: at the end of a name (z_nm, force [nN]), in a line below the names, or given by --units, "
+        "such as --units um,nN\n", "fit names.csv --radius-m 1e-8"),
     (3, "expected a way in and a way out", "fit one_way.csv --radius-m 1e-8"),
     (3, "the way out ends in contact", "fit ends.csv --radius-m 1e-8"),
     (3, "expected two or three columns with units", "fit flat.csv --columns 1,9 --radius-m 1e-8"),
