@@ -2,7 +2,7 @@
 
 Messages advised a larger tolerance where the waves, and not the tolerance, ask for the panels; a smaller Tabor
 parameter where a cut surface is pressed too hard; and a load below that reached where that is tensile, which no
-preload can be.
+preload can be. A fixed mesh that was too coarse left to the guide what helps.
 """
 
 import os
@@ -45,7 +45,7 @@ ADVICE = (
      "--tabor 5 --preload-load 1 --approach-end 20", "--tabor 5 --preload-load 0.4 --approach-end 12"),
     ("--tabor 5 --preload-load 1 --approach-end -2", "*; expected a greater approach_end; *", "--tabor 5 --preload-load 1 --approach-end 20"),
     (f"{NOISY} 1e-10", "*times the tolerance*: expected a larger tolerance", f"{NOISY} 1e-8"),
-    ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*", "--tabor 100"),
+    ("--tabor 100 --scheme ring --nodes 501", "*with the shortest step*; expected scheme panel*", "--tabor 100 --scheme panel"),
     (f"{NARROW} {GRASPS} --range exact", "*edge is 3.5e-07 wavelengths wide, with * times smaller "
      f"({WIDER}), changing loads by 5e-04 where tried; *: expected the range auto", f"{NARROW} {GRASPS}", f"{NARROW} {GRASPS} --range reduced", f"{WIDER} {GRASPS}"),
     (f"{SOFT} --range exact --time-limit 0.5", f"*after 0.5 s of processor time*times smaller ({SOFTER}), *: expected the range auto", f"{SOFT} --time-limit 20",

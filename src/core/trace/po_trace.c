@@ -259,6 +259,14 @@ static po_status with_range(po_status status, const po_collector *collector) {
       command, 0.5 * ADVISED_WIDTH);
 }
 
+/* Fixed meshes that do not resolve the contact edges make the branch so wild that no step succeeds.
+ * Returned: the status. */
+static po_status with_panels(po_status status, const po_collector *collector) {
+  return status == PO_STEP_TOO_SMALL && collector->request->mesh.scheme != PO_PANEL
+             ? po_fail(status, "%s; expected scheme panel", po_message())
+             : status;
+}
+
 po_status po_trace_once(const po_request *request, po_attempt *a, po_kept_points *kept,
                         po_result *result) {
   const bool rigid = po_rigid_suffices(&request->scene);
@@ -308,7 +316,8 @@ po_status po_trace_once(const po_request *request, po_attempt *a, po_kept_points
     status = lacks_minimum(request, &collector);
   if (!status)
     status = po_loading_compute(&collector, &a->begin);
-  status = before_start(with_range(without_pull_off(status, &collector), &collector), &collector);
+  status = with_panels(without_pull_off(status, &collector), &collector);
+  status = before_start(with_range(status, &collector), &collector);
 done:
   a->unmet_folds = collector.special.unmet_folds;
   po_collector_end(&collector);
