@@ -165,7 +165,8 @@ static void print_theories(const po_request *request, const po_result *result) {
   print_held(result, PO_HOLDS_YES, is_wide ? "assumptions hold (1)" : "assumptions hold");
   if (is_wide)
     print_note(request, result);
-  print_held(result, PO_HOLDS_UNKNOWN, "only a solve decides");
+  print_held(result, PO_HOLDS_UNKNOWN,
+             result->has_pull_off ? "not decided by the solve" : "only a solve decides");
   printf("%-26s %s\n", "theory", "source");
   for (size_t k = 0; k < result->theory_count; ++k)
     printf("%-26s %s\n", PO_THEORIES[result->theories[k].theory].words, result->theories[k].source);

@@ -3,6 +3,7 @@ messages, and that the theories change nothing else."""
 
 import json
 import math
+import re
 
 import pytest
 from conftest import ROOT, document, expect
@@ -176,6 +177,12 @@ def test_whose_assumptions_hold_without_a_solve(scene, held, unknown):
     shown = expect(3, "pulloff: the solve failed: *", f"compare {scene} --preload-load 1.7 --time-limit 1e-6").out.splitlines()
     assert [line.split(maxsplit=2)[2] for line in shown if line.startswith("assumptions hold")] == [held]
     assert [line[27:] for line in shown if line.startswith("only a solve decides")] == ([unknown] if unknown else [])
+
+
+def test_what_a_solve_did_not_decide():
+    """The line was "only a solve decides", below the result of the solve: a body that was loaded too fast to be relaxed."""
+    shown = expect(0, "", "compare --tabor 6 --preload-load 2 --viscoelastic sls:0.5 --unload-speed inf --load-speed 1 --dwell 1 --tolerance 0.01").out
+    assert re.search("^not decided by the solve +Persson-Brener", shown, re.M) and "only a solve decides" not in shown
 
 
 def test_theories_that_run_out_of_time_say_so():
