@@ -503,7 +503,7 @@ def test_an_error_above_the_tolerance_is_said():
     found = document("solve --tabor 0 --tolerance 1e-10")["pull_off"]
     assert found["error_over_tolerance"] == pytest.approx(found["error_estimate"] / (1e-10 * found["force"]), rel=1e-12)
     assert found["error_over_tolerance"] > 1
-    assert expect(0, "", "solve --tabor 0 --tolerance 1e-10").count("^warning  the error of the force is 1.5 times the tolerance") == 1
+    assert expect(0, "", "solve --tabor 0 --tolerance 1e-10").count("^warning  the error of the force is 1.5 times the tolerance: expected a larger tolerance") == 1
     assert expect(0, "", "solve --tabor 0").count("^warning") == 0
 
 
