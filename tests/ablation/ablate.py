@@ -39,7 +39,7 @@ SETS = {"small": "; cheap scenes of all kinds", "wavy": "", "general": "; any la
         "soft": "; Tabor parameters from 100 to 10,000, sharp edges, steep laws"}
 HEAD = """# The mechanisms of the solver
 
-What each mechanism of the solver is for, and what happens without it. `tests/ablation/ablate.py` switches one off at a time in a copy of the source, by an edit of a line or two (`mechanisms.toml`), and solves {scenes} scenes in {sets} sets ([how](../tests/ablation/README.md)): {columns}. [The method](method.md) explains the mechanisms.
+What each mechanism is for, and what happens without it. `tests/ablation/ablate.py` switches one off at a time in a copy of the source and solves {scenes} scenes in {sets} sets ([how](../tests/ablation/README.md)): {columns}. [The method](method.md) explains the mechanisms.
 
 Effects: points of the branch and Newton iterations without the mechanism over those with it, of the scenes that are solved both times; scenes that are no longer solved; special points lost or spurious beside a solution at a tolerance of 1e-8; stated errors that this solution violates. A set is named where a counter changes by 1.5 % or more, or something is lost. A row stays as it is until its mechanism is measured anew.
 
