@@ -23,14 +23,14 @@ ROWS_TEST(maugis_agrees_with_the_table, "maugis_profiles.csv", "Maugis-Dugdale",
   /* the rates by central differences */
   po_maugis before, after;
   const double h = 1e-4 * a;
-  double end_rate;
+  double width_rate;
   ck_assert(po_maugis_at(&s, tension, a - h, &before) == PO_OK);
   ck_assert(po_maugis_at(&s, tension, a + h, &after) == PO_OK);
-  compare("load rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_LOAD, &got, &end_rate),
+  compare("load rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_LOAD, &got, &width_rate),
           (after.contact.load - before.contact.load) / (2.0 * h), 1e-5 * size.load / a);
-  compare("approach rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_APPROACH, &got, &end_rate),
+  compare("approach rate", &s, a, po_maugis_rate(&s, tension, PO_FIXED_APPROACH, &got, &width_rate),
           (after.contact.approach - before.contact.approach) / (2.0 * h), 1e-5 * size.approach / a);
-  compare("rate of the end", &s, a, end_rate, (after.end - before.end) / (2.0 * h),
+  compare("rate of the width", &s, a, width_rate, (after.width - before.width) / (2.0 * h),
           1e-5 * got.end / a);
 }
 
@@ -71,6 +71,25 @@ TEST(maugis_tends_to_jkr) {
       ck_assert_msg(fabs(far[0] / far[1] - 4.0) < 0.15, "%s, fixed %d: %g and %g of %g",
                     PROFILES[p], fixed, far[0], far[1], jkr.load);
     }
+}
+
+/* A ring far narrower than the rounding of its radius: the width was the difference of two radii,
+ * and a sphere of Tabor parameter 1e8 pulled off at 0.957 of the force of JKR, one of 1e9 at 1e-27.
+ */
+TEST(maugis_of_very_soft_bodies_is_jkr) {
+  for (int p = 0; p < PROFILE_COUNT; ++p)
+    for (double coupling = 1e8; coupling < 1e18; coupling *= 1e3)
+      for (po_fixed fixed = PO_FIXED_LOAD; fixed <= PO_FIXED_APPROACH; ++fixed) {
+        const po_scene s = scene_of_words(PROFILES[p], "-", coupling);
+        po_contact jkr;
+        po_maugis got;
+        ck_assert(po_jkr_profile_pull_off(&s, fixed, &jkr) == PO_OK);
+        ck_assert_msg(po_maugis_pull_off(&s, 1.026, fixed, false, &got) == PO_OK, "%s",
+                      po_message());
+        const bool load = fixed == PO_FIXED_LOAD;
+        compare("pull-off", &s, coupling, load ? got.contact.load : got.contact.approach,
+                load ? jkr.load : jkr.approach, 1e-6 * fabs(load ? jkr.load : jkr.approach));
+      }
 }
 
 TEST(maugis_with_deep_waves_is_refused) {

@@ -50,14 +50,14 @@ static po_contact state_at(curve *c, double a, double *approach_rate, double *lo
     *load_rate = po_jkr_profile_rate(scene, PO_FIXED_LOAD, a);
     return po_jkr_profile_at(scene, a);
   }
-  po_maugis state = {{NAN, NAN, NAN}, NAN};
-  double end_rate;
+  po_maugis state = {{NAN, NAN, NAN}, NAN, NAN};
+  double width_rate;
   const po_status status = po_maugis_at(scene, c->tension, a, &state);
   c->status = c->status ? c->status : status;
   *approach_rate = *load_rate = NAN;
   if (!status && a > 0.0) {
-    *approach_rate = po_maugis_rate(scene, c->tension, PO_FIXED_APPROACH, &state, &end_rate);
-    *load_rate = po_maugis_rate(scene, c->tension, PO_FIXED_LOAD, &state, &end_rate);
+    *approach_rate = po_maugis_rate(scene, c->tension, PO_FIXED_APPROACH, &state, &width_rate);
+    *load_rate = po_maugis_rate(scene, c->tension, PO_FIXED_LOAD, &state, &width_rate);
   }
   return state.contact;
 }

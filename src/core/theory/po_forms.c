@@ -98,7 +98,7 @@ static double tension_of(const po_form_input *in) {
 static void solve_pull_off(const po_form_input *in, po_fixed fixed, po_form_values *v,
                            po_maugis *state) {
   const double tension = tension_of(in);
-  *state = (po_maugis){NO_CONTACT, NAN};
+  *state = (po_maugis){NO_CONTACT, NAN, NAN};
   if (!v->status)
     note(v, po_maugis_pull_off(&in->scene, tension, fixed, false, state));
   if (!v->status)

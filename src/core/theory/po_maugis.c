@@ -135,13 +135,13 @@ static po_status solve(const po_scene *scene, double tension, double a, const gu
   double width = last->predicts && predicted > 0.0 ? width_near(&m, predicted) : NAN;
   if (!(width > 0.0))
     width = width_of(&m, last->width > 0.0 ? last->width : narrow_width(&m));
-  *state = (po_maugis){{NAN, NAN, NAN}, NAN};
+  *state = (po_maugis){{NAN, NAN, NAN}, NAN, NAN};
   if (!(width > 0.0))
     return po_fail(PO_NOT_FOUND,
                    "no radius outside the contact of radius %g has the gap %g at which the tension "
                    "%g ends",
                    a, 1.0 / tension, tension);
-  *state = (po_maugis){contact_of(&m, lengths_of(&m, width)), a + width};
+  *state = (po_maugis){contact_of(&m, lengths_of(&m, width)), a + width, width};
   return PO_OK;
 }
 
@@ -159,23 +159,29 @@ static double rate_by_cosine(double x, po_abel t, const void *data) {
   return t.rate * x / *(const double *)data;
 }
 
-/* By the implicit function of the gap: along the curve dc/da = -gap_a/gap_c. */
+/* On a ring narrower than this part of the contact radius and of a wave the transform is linear,
+ * to its square. Below, the rounding of c would spoil the integral. */
+static const double NARROW = 1e-8;
+
+/* By the implicit function of the gap: along the curve d(c - a)/da = -(gap_a + gap_c)/gap_c. In the
+ * JKR limit the parts with a/s, of a tension that is multiplied by its zone, are greater than their
+ * sum by a factor of q^2 k a, so they are added before they are multiplied. */
 double po_maugis_rate(const po_scene *scene, double tension, po_fixed fixed, const po_maugis *state,
-                      double *end_rate) {
-  const double a = state->contact.contact_radius, c = state->end;
+                      double *width_rate) {
+  const double a = state->contact.contact_radius, c = state->end, width = state->width;
   const ring m = ring_of(scene, tension, a);
-  const lengths l = lengths_of(&m, c - a);
+  const lengths l = lengths_of(&m, width);
   const double pull = 2.0 * tension * m.coupling;
-  const double slope = po_abel_integral(scene, a, c, true, rate_by_cosine, &c);
-  const double approach_a = m.at.rate + pull * a / l.s, approach_c = -pull * c / l.s;
-  const double gap_a = -l.angle * approach_a;
+  const double slope = width < NARROW * fmin(a, shortest_wave(scene))
+                           ? m.at.rate * l.s / c
+                           : po_abel_integral(scene, a, c, true, rate_by_cosine, &c);
   const double gap_c = slope + pull * (a / c + c * l.angle / l.s - 1.0);
-  *end_rate = -gap_a / gap_c;
+  const double moved = l.angle * m.at.rate - slope + pull * width * (1.0 / c - l.angle / l.s);
+  *width_rate = moved / gap_c;
   if (fixed == PO_FIXED_APPROACH)
-    return approach_a + approach_c * *end_rate;
-  const double load_a = 2.0 * a / m.coupling * (m.at.rate + pull * a / l.s),
-               load_c = -4.0 * tension * c * (a / l.s + l.angle);
-  return (load_a + load_c * *end_rate) / (M_PI * scene->radius);
+    return m.at.rate - pull * (width + c * *width_rate) / l.s;
+  const double zone = a * width / l.s + c * l.angle + c * (a / l.s + l.angle) * *width_rate;
+  return (2.0 * a / m.coupling * m.at.rate - 4.0 * tension * zone) / (M_PI * scene->radius);
 }
 
 /* The search for the pull-off. */
@@ -193,10 +199,10 @@ static double value_of(const search *s, const po_maugis *state) {
 static double rate_at(double a, const void *data) {
   const search *s = data;
   po_maugis state;
-  double end_rate;
+  double width_rate;
   if (solve(s->scene, s->tension, a, &s->last, &state))
     return NAN;
-  return po_maugis_rate(s->scene, s->tension, s->fixed, &state, &end_rate);
+  return po_maugis_rate(s->scene, s->tension, s->fixed, &state, &width_rate);
 }
 
 /* Steps of the contact radius relative to it, and to a wave; the first one relative to the width of
@@ -244,9 +250,8 @@ static po_status rate_beyond(search *s, double a, po_maugis *state, double *rate
   const po_status status = solve(s->scene, s->tension, a, &s->last, state);
   if (!status) {
     *rate = po_maugis_rate(s->scene, s->tension, s->fixed, state, &s->last.slope);
-    s->last.slope -= 1.0;
     s->last.radius = a;
-    s->last.width = state->end - a;
+    s->last.width = state->width;
   }
   return status;
 }
@@ -257,7 +262,7 @@ po_status po_maugis_pull_off(const po_scene *scene, double tension, po_fixed fix
   double work = 0.0;
   s.last.predicts = predict;
   s.last.work = predict ? &work : NULL;
-  *state = (po_maugis){{NAN, NAN, NAN}, NAN};
+  *state = (po_maugis){{NAN, NAN, NAN}, NAN, NAN};
   po_status status = check_input(scene, tension, 0.0);
   if (!status)
     status = take(&s, 0.0, state);
@@ -414,7 +419,7 @@ static po_status check_radius(const ring *m, const lengths *l, double r) {
 
 po_status po_maugis_check(const po_scene *scene, double tension, const po_maugis *state) {
   const ring m = ring_of(scene, tension, state->contact.contact_radius);
-  const lengths l = lengths_of(&m, state->end - m.a);
+  const lengths l = lengths_of(&m, state->width);
   if (!po_scene_is_wavy(scene) && po_abel_fall(scene) == 0.0)
     return PO_OK;
   /* Outside, the deflection is at least -greatest a/r, as in po_jkr_profile_check, less that of the

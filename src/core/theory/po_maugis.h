@@ -19,6 +19,7 @@
 typedef struct {
   po_contact contact; /* load in pi w R */
   double end;         /* c, the radius at which the tension ends, eps */
+  double width;       /* c - a, which may be far below the rounding of c */
 } po_maugis;
 
 /* The tension that equals the peak of the law of the scene, w/eps. */
@@ -31,9 +32,9 @@ po_status po_maugis_at(const po_scene *scene, double tension, double contact_rad
                        po_maugis *state);
 
 /* The derivative of load (pi w R/eps) or approach by the contact radius along the curve. Returned:
- * also that of the end of the tension. */
+ * also that of the width of the ring. */
 double po_maugis_rate(const po_scene *scene, double tension, po_fixed fixed, const po_maugis *state,
-                      double *end_rate);
+                      double *width_rate);
 
 /* The pull-off: the lowest of all minima of the load, or of the approach, over the contact radius;
  * the contact radius is 0 if the load rises from there. Given: predict, whether the search predicts
