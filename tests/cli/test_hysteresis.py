@@ -49,6 +49,12 @@ def test_solve():
     assert printed.count("^displacement control: loading reversed at approach 0.7, ") and printed.count("^a    unloading ")
 
 
+def test_a_loop_without_jumps_says_so():
+    """It had the header of a table without rows."""
+    loop = expect(0, "", "solve --tabor 0.5 --want hysteresis").out.split("displacement control: ")[1].split("load control: ")[0]
+    assert loop.count("\n") == 1 and loop.endswith("; energy lost 0, error 0.0e+00; no jumps\n")
+
+
 def test_the_record_and_one_that_is_made_from_it():
     path = pathlib.Path("loop.yaml")
     records = []

@@ -146,6 +146,10 @@ static void print_loop(const po_loop *loop, const po_request *request) {
     printf("; energy lost %.6g%s", loop->energy_lost * u->energy, u->of_energy);
   if (isfinite(loop->energy_lost_error))
     printf(", error %s", po_print_error(loop->energy_lost_error * u->energy, error));
+  if (loop->jump_count == 0) {
+    printf("; no jumps\n");
+    return;
+  }
   printf("%s%s\n%-5s%-10s %s%14s %14s %14s %14s %12s %8s\n", *u->words ? "; jumps" : "", u->words,
          "jump", "phase", spring ? "          base " : "", "approach", "to", "load", "to",
          "energy lost", "error");
