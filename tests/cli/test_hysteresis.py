@@ -55,6 +55,11 @@ def test_a_loop_without_jumps_says_so():
     assert loop.count("\n") == 1 and loop.endswith("; energy lost 0, error 0.0e+00; no jumps\n")
 
 
+def test_a_load_that_is_held_is_the_same_after_a_jump():
+    """Bodies that jump together at no load had a load of 1e-17 then."""
+    assert expect(0, "", "solve --tabor 0.5 --want hysteresis").out.count("\n1    loading             apart      1.1084475              0              0 ")
+
+
 def test_the_record_and_one_that_is_made_from_it():
     path = pathlib.Path("loop.yaml")
     records = []

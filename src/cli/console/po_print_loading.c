@@ -158,13 +158,15 @@ static void print_loop(const po_loop *loop, const po_request *request) {
     po_label label;
     po_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
     char from[PO_NUMBER_LENGTH], to[PO_NUMBER_LENGTH], lost[PO_NUMBER_LENGTH];
+    /* a load that is held, without the rounding of the state beyond */
+    const bool held_load = loop->control == PO_LOAD_CONTROL;
     printf("%-5s%-10s ", label, jump->loading ? "loading" : "unloading");
     if (spring)
       printf("%14.8g ", po_held(loop->control, jump->before.approach, jump->before.load) * length);
     printf("%14s %14s %14.8g %14.8g %12s",
            po_number_or("%.8g", jump->before.approach * length, "apart", from),
            po_number_or("%.8g", jump->after.approach * length, "apart", to),
-           jump->before.load * load, jump->after.load * load,
+           jump->before.load * load, (held_load ? jump->before : jump->after).load * load,
            po_number_or("%.8g", jump->energy_lost * u->energy, "boundless", lost));
     if (isfinite(jump->energy_lost_error))
       printf(" %8s", po_print_error(jump->energy_lost_error * u->energy, error));
