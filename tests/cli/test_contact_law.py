@@ -367,6 +367,11 @@ def test_the_header(scene):
 
 
 @pytest.mark.once
+def test_errors_of_a_fixed_mesh_are_not_estimated():
+    text = expect(0, "", "contact-law --tabor 1 --scheme ring --nodes 60 --outer-radius 60 --format csv").out
+    assert text.count("error not estimated\n") == 3 and "nan" not in text
+
+
 def test_output_and_names():
     shown = expect(0, "", "contact-law --tabor 2.385").out
     said = expect(0, "", "contact-law --tabor 2.385 --name my_law --output my.h").out

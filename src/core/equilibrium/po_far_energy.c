@@ -91,17 +91,13 @@ static double to_infinity(const far_panel *p, double begin) {
   return sum;
 }
 
-/* Ratio of the ends of a piece at least, of those that follow the rows of a table: a few rows in so
- * short a piece do no harm. */
-static const double SHORTEST_PIECE = 1.02;
-
 double po_far_energy(const po_scene *scene, double begin, size_t nodes, const double *node,
                      const double *gap, double approach) {
   const far_panel p = far_panel_of(scene, begin, nodes, node, gap, approach);
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   double sum = 0.0, from = begin, to;
   while (isfinite(to = po_profile_next_joint(&scene->profile, from))) {
-    to = fmax(to, SHORTEST_PIECE * from);
+    to = fmax(to, PO_SHORTEST_PIECE * from);
     for (size_t j = 0; j < rule->order; ++j) {
       const double r = from + (to - from) * rule->node[j];
       sum += (to - from) * rule->weight[j] * interaction(&p, begin / r, r) * r;

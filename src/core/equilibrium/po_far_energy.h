@@ -7,6 +7,10 @@
 
 #include "po_scene.h"
 
+/* Ratio of the ends of a piece at least, of the pieces of an integral that follow the rows of a
+ * table: a few rows in so short a piece do no harm. */
+static const double PO_SHORTEST_PIECE = 1.02;
+
 /* The integral of phi(H) r dr from `begin` to infinity, phi averaged over the waves; less that of
  * the initial gap at approach 0 if the energy is infinite (po_scene_has_infinite_energy). Given:
  * the radius where the panel to infinity begins, eps; its nodes, with their gaps; the approach; the

@@ -135,9 +135,6 @@ static double error_of_polynomial(const po_scene *scene, const po_solution *p) {
   return OF_LAST * 2.0 / scene->radius * p->domain * p->domain * last / (decay - 2.0);
 }
 
-/* Ratio of the ends of a piece at least, of those that follow the rows of a table. */
-static const double SHORTEST_PIECE = 1.02;
-
 /* The load that the polynomial lacks if the profile has joints beyond the domain, which its
  * coefficients do not show. */
 static double missed_by_joints(const po_scene *scene, const po_solution *p) {
@@ -155,7 +152,7 @@ static double missed_by_joints(const po_scene *scene, const po_solution *p) {
   double sum = 0.0;
   for (double r = p->domain, to;
        isfinite(po_profile_next_joint(&scene->profile, r)) && !is_apart(scene, r); r = to) {
-    to = fmax(piece_end(scene, r), SHORTEST_PIECE * r);
+    to = fmax(piece_end(scene, r), PO_SHORTEST_PIECE * r);
     for (int k = 0; k < 2; ++k) {
       const double at = r + (to - r) * RULE[k];
       sum += missed_at(&f, at) * at * 0.5 * (to - r);

@@ -87,9 +87,13 @@ static void add_numbers(const po_particle_numbers *n, const units *u, const char
     po_text_add(text, "; no jumps, a cycle loses nothing\n");
     return;
   }
-  po_text_add(text, "; jumps in at %.10g, out at %.10g;\n%s%*sa cycle loses %.10g, error %.1e\n",
+  po_text_add(text, "; jumps in at %.10g, out at %.10g;\n%s%*sa cycle loses %.10g, error ",
               n->jump_in * u->length, n->jump_out * u->length, before, (int)strlen(what), "",
-              n->energy_lost * u->force * u->length, n->energy_lost_error * u->force * u->length);
+              n->energy_lost * u->force * u->length);
+  if (isnan(n->energy_lost_error)) /* rings and triangles */
+    po_text_add(text, "not estimated\n");
+  else
+    po_text_add(text, "%.1e\n", n->energy_lost_error * u->force * u->length);
 }
 
 void po_particle_text_describe(const po_particle_text *t, const char *before, po_text *text) {
