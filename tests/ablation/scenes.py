@@ -48,6 +48,8 @@ solve --tabor 3 --outer-radius 60 --scheme ring --nodes 200
 solve --tabor 2 --scheme ring --nodes 150 --grading graded
 solve --tabor 1.5 --amplitude 0.5 --wavelength 20 --outer-radius 50 --scheme ring --nodes 150
 solve --tabor 2 --scheme triangle --nodes 100 --outer-radius 60 --want hysteresis,curve
+solve --tabor 1e-4 --amplitude 1 --wavelength 18 --outer-radius 100 --scheme triangle --nodes 201
+solve --tabor 1e-4 --amplitude 100 --wavelength 30 --outer-radius 100 --scheme triangle --nodes 201
 solve --tabor 0 --amplitude 0.3 --wavelength 10
 solve --tabor 0 --amplitude 1 --wavelength 10 --outer-radius 100
 solve --tabor 0 --amplitude 10 --wavelength 20 --radius 300
