@@ -6,7 +6,7 @@ Usage: schema.py PROGRAM SOURCE_TREE PAGE
 - Every document that the commands below print or write must be valid, and every property of the schema must occur in
   one of them, so that no property of an earlier version is left.
 - The schema must reject an added key, a missing key and a value of a wrong type: each document is changed in these
-  three ways.
+  three ways. Under the sanitizers (RUN_FEW) it is not: the program has no part in that.
 - The Python function doc/examples/digest.py must give the digests of the documents.
 - PAGE, doc/json.md as it is built, must have a row for every key of every definition, and no others. Of results in SI units it states a rule.
 
@@ -23,7 +23,7 @@ import sys
 import tempfile
 
 import digest
-from tally import Tally, errors
+from tally import Tally, errors, has_error
 
 try:
     import jsonschema
@@ -169,10 +169,10 @@ class Tests(Tally):
         self.tell(f"{what}: valid", "; ".join(errors(self.definitions, definition, document)[:3]))
         self.note(definition, document)
         self.sealed(document, what)
-        for spoil in (add_key, drop_key, retype):
+        for spoil in () if "RUN_FEW" in os.environ else (add_key, drop_key, retype):
             spoilt = copy.deepcopy(document)
             spoil(spoilt)
-            self.tell(f"{what}: {spoil.__name__} is found", not errors(self.definitions, definition, spoilt) and "valid")
+            self.tell(f"{what}: {spoil.__name__} is found", not has_error(self.definitions, definition, spoilt) and "valid")
 
     def sealed(self, document, what):
         """The digest of a document, and those of the points of a record, by the function of doc/examples/digest.py."""
