@@ -416,8 +416,8 @@ def macro(text, name):
 
 def test_sets():
     """Each row has the file and the numbers of a command of its own, in any number of threads; a refused scene is a row."""
-    rows = ["1.37,0.21,17", "2.911,1.4,20", "0.44,-,-", "3.1,0.13,-1"]
-    pathlib.Path("sets.csv").write_text("tabor,amplitude,wavelength\n" + "\n".join(rows) + "\n")
+    rows = ["1.37,0.21,17,-", "2.911,1.4,20,30", "0.44,-,-,-", "3.1,0.13,-1,-"]
+    pathlib.Path("sets.csv").write_text("tabor,amplitude,wavelength,radius\n" + "\n".join(rows) + "\n")
     said = expect(0, "", "contact-law --sets sets.csv --error 1e-3 --name pair --output one -j1").out
     assert said.startswith("2 laws in one, with summary.csv\n2 rows have no law, the first is row 2: loading up to approach")
     assert expect(0, "", "contact-law --sets sets.csv --error 1e-3 --name pair --output two -j2").out == said.replace("in one", "in two")
@@ -426,9 +426,9 @@ def test_sets():
     assert [row["status"] for row in found] == ["ok", "bad_input", "ok", "bad_input"]
     assert sorted(path.name for path in pathlib.Path("one").iterdir()) == ["laws.jsonl", "pair_1.h", "pair_3.h", "summary.csv"]
     for row, cells in zip(found, rows):
-        words = [f"--{key} {cell}" for key, cell in zip(("tabor", "amplitude", "wavelength"), cells.split(",")) if cell != "-"]
+        words = [f"--{key} {cell}" for key, cell in zip(("tabor", "amplitude", "wavelength", "radius"), cells.split(",")) if cell != "-"]
         alone = run(f"contact-law {' '.join(words)} --error 1e-3 --name pair_{row['row']}")
-        assert ",".join(row[key] for key in ("tabor", "amplitude", "wavelength")) == cells
+        assert ",".join(row[key] for key in ("tabor", "amplitude", "wavelength", "radius")) == cells
         if row["status"] != "ok":
             assert alone.code == 2 and alone.err.replace("--", "") == f"pulloff: {row['reason']}\n" and row["file"] == "-"
             assert math.isnan(float(row["pull_off_force"]))
@@ -477,12 +477,12 @@ def test_sets_of_groups(columns, cells, words, alone):
 def test_sets_go_on():
     """What is in the folder, whole and made from the same row and options, is not made again."""
     def make(rows, words=""):
-        pathlib.Path("sets.csv").write_text("tabor,amplitude,wavelength\n" + "\n".join(rows) + "\n")
+        pathlib.Path("sets.csv").write_text("tabor,amplitude,wavelength,radius\n" + "\n".join(rows) + "\n")
         said = expect(0, "", f"contact-law --sets sets.csv --error 1e-2 --output laws -j1 {words}").out
         kept = [line for line in said.splitlines() if "already, made from the same row" in line]
         files = {path.name: path.read_bytes() for path in pathlib.Path("laws").glob("*.h")}
         return int(kept[0].split()[0]) if kept else 0, files, summary("laws")
-    rows = ["1.37,-,-", "2.911,1.4,20", "0.9,-,-"]
+    rows = ["1,-,-,-", "2.911,1.4,20,30", "0.3,-,-,-"]
     none, files, first = make(rows)
     assert none == 0 and sorted(files) == ["pulloff_law_1.h", "pulloff_law_3.h"] and first[1]["status"] == "bad_input"
     assert make(rows) == (3, files, first)  # seconds, too: those of the solves
@@ -496,14 +496,14 @@ def test_sets_go_on():
     store.write_text("\n".join([lines[0].replace('"pull_off":1.', '"pull_off":2.'), *lines[1:3], lines[3][:60]]))
     assert make(rows)[:2] == (2, files)
     # Another row and other options
-    assert make(["1.37,-,-", "2.911,1.4,20", "0.91,-,-"])[0] == 2
+    assert make(["1,-,-,-", "2.911,1.4,20,30", "0.31,-,-,-"])[0] == 2
     assert make(rows, "--error 5e-3")[0] == 0
     assert make(rows, "--name other")[0] == 0
     assert make(rows, "--preload-load 5")[0] == 0
     # A profile whose file changed
     for depth in 1, 1, 1.1:
         pathlib.Path("tip.csv").write_text("r,gap\n" + "".join(f"{k},{depth * k * k / 200}\n" for k in range(60)))
-        kept = make(["1,-,-"], "--profile-file tip.csv --preload 2 --name tip")[0]
+        kept = make(["1,-,-,-"], "--profile-file tip.csv --preload 2 --name tip")[0]
         assert kept == (depth == 1 and "tip" in files)
         files["tip"] = b""
 
@@ -531,8 +531,8 @@ def test_jobs_need_sets():
 
 def test_sets_that_are_interrupted():
     """The summary has the rows so far; the others are interrupted."""
-    pathlib.Path("sets.csv").write_text("tabor\n" + "".join(f"{1 + k / 50}\n" for k in range(60)))
-    words = [conftest.PROGRAM, "contact-law", "--sets", "sets.csv", "--output", "laws", "-j1"]
+    pathlib.Path("sets.csv").write_text("tabor\n" + "".join(f"{0.3 + k / 200}\n" for k in range(60)))
+    words = [conftest.PROGRAM, "contact-law", "--sets", "sets.csv", "--output", "laws", "--error", "1e-2", "-j1"]
     with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as process:
         while process.poll() is None and not pathlib.Path("laws/pulloff_law_01.h").exists():
             time.sleep(0.01)
@@ -544,5 +544,5 @@ def test_sets_that_are_interrupted():
     # The same command, of which ten rows suffice, goes on there.
     pathlib.Path("sets.csv").write_text("".join(pathlib.Path("sets.csv").read_text().splitlines(True)[:11]))
     done = states[:10].count("ok")
-    said = expect(0, "", "contact-law --sets sets.csv --output laws -j1").out
+    said = expect(0, "", "contact-law --sets sets.csv --output laws --error 1e-2 -j1").out
     assert said.startswith("10 laws in laws") and (f"{done} row" in said.splitlines()[1] or len(states) > 99)
