@@ -4,11 +4,10 @@
 #include <stdint.h>
 
 #include "po_barycentric.h"
-#include "po_operands.h"
 #include "po_widths.h"
 
-/* Rows of the larger matrices; the groups of PO_LANES values in one of their columns. */
-enum { ROWS = 16, MOST_GROUPS = ROWS / PO_LANES };
+/* The most groups of PO_LANES values in a column. */
+enum { MOST_GROUPS = 4 };
 typedef double lanes __attribute__((vector_size(PO_LANES * sizeof(double)), aligned(8), may_alias));
 typedef int64_t mask __attribute__((vector_size(PO_LANES * sizeof(int64_t))));
 
@@ -53,43 +52,25 @@ PO_INLINE void apply_transposed(size_t groups, size_t columns, const double *a, 
   }
 }
 
-PO_WHOLE_OPERANDS PO_FOR_ALL_WIDTHS void po_block_apply(const double *block, const double *x,
-                                                        double *y) {
-  po_expect_doubles(PO_BLOCK_SIZE, block);
-  po_expect_doubles(PO_TABLE_ORDER, x);
-  po_expect_doubles(PO_TABLE_ORDER, y);
+PO_FOR_ALL_WIDTHS void po_block_apply(const double *block, const double *x, double *y) {
   apply(PO_TABLE_ORDER / PO_LANES, PO_TABLE_ORDER, block, x, y, y);
 }
 
-PO_WHOLE_OPERANDS PO_FOR_ALL_WIDTHS void po_block_apply_from(size_t columns, const double *a,
-                                                             const double *x, const double *start,
-                                                             double *y) {
-  po_expect_doubles(ROWS * columns, a);
-  po_expect_doubles(columns, x);
-  po_expect_doubles(ROWS, start);
-  po_expect_doubles(ROWS, y);
+PO_FOR_ALL_WIDTHS void po_block_apply_from(size_t columns, const double *a, const double *x,
+                                           const double *start, double *y) {
   apply(4, columns, a, x, start, y);
 }
 
-PO_WHOLE_OPERANDS PO_FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns,
-                                                                   const double *a, const double *x,
-                                                                   double *y) {
-  po_expect_doubles(rows * columns, a);
-  po_expect_doubles(rows, x);
-  po_expect_doubles(columns, y);
+PO_FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, const double *a,
+                                                 const double *x, double *y) {
   if (rows == 12)
     apply_transposed(3, columns, a, x, y);
   else
     apply_transposed(4, columns, a, x, y);
 }
 
-PO_WHOLE_OPERANDS PO_FOR_ALL_WIDTHS void
-po_block_apply_both(const double *block, const double *x, double *y, const double *u, double *v) {
-  po_expect_doubles(PO_BLOCK_SIZE, block);
-  po_expect_doubles(PO_TABLE_ORDER, x);
-  po_expect_doubles(PO_TABLE_ORDER, y);
-  po_expect_doubles(PO_TABLE_ORDER, u);
-  po_expect_doubles(PO_TABLE_ORDER, v);
+PO_FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, double *y,
+                                           const double *u, double *v) {
   const lanes *b = (const lanes *)block, *from = (const lanes *)u;
   lanes *to = (lanes *)y;
   lanes y0 = to[0], y1 = to[1], y2 = to[2];
@@ -110,16 +91,12 @@ po_block_apply_both(const double *block, const double *x, double *y, const doubl
   to[2] = y2;
 }
 
-/* Columns of a product that are made together, so that a value of A is read once for both. */
-enum { PAIR = 2 };
+/* Rows of the larger matrices; columns of a product that are made together, so that a value of A is
+ * read once for both. */
+enum { ROWS = 16, PAIR = 2 };
 
-PO_WHOLE_OPERANDS PO_FOR_ALL_WIDTHS void po_block_multiply(size_t inner, size_t columns,
-                                                           const double *a, const double *b,
-                                                           const double *start, double *c) {
-  po_expect_doubles(ROWS * inner, a);
-  po_expect_doubles(ROWS * (columns - 1) + inner, b);
-  po_expect_doubles(ROWS * columns, start);
-  po_expect_doubles(ROWS * columns, c);
+PO_FOR_ALL_WIDTHS void po_block_multiply(size_t inner, size_t columns, const double *a,
+                                         const double *b, const double *start, double *c) {
   for (size_t j = 0; j < columns;
        j += PAIR, b += PAIR * ROWS, start += PAIR * ROWS, c += PAIR * ROWS) {
     const lanes *from = (const lanes *)a;
@@ -196,7 +173,6 @@ PO_INLINE int invert(size_t groups, double *a) {
   return sign;
 }
 
-PO_WHOLE_OPERANDS PO_FOR_ALL_WIDTHS int po_block_invert(size_t n, double *a) {
-  po_expect_doubles(n * n, a);
+PO_FOR_ALL_WIDTHS int po_block_invert(size_t n, double *a) {
   return n == 12 ? invert(3, a) : invert(4, a);
 }
