@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "po_deadline.h"
 #include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_order.h"
@@ -85,8 +84,7 @@ static void add_far_piece(const po_profile_table *t, const rules *rule, double x
   sum->press += h * press / (x * x);
 }
 
-/* acos(r/x) */
-static double angle_of(double r, double x) {
+double po_abel_angle(double r, double x) {
   return po_atan2(sqrt((x - r) * (x + r)), r);
 }
 
@@ -95,14 +93,13 @@ static double part_beyond(double n, double end, double x) {
   return 0.5 * po_beta_incomplete(0.5, 0.5 * n, (x - end) / x * ((x + end) / x));
 }
 
-/* The table of the profile, on fewer knots if it has them; NULL: it is none. */
-static const po_profile_table *table_of(const po_scene *scene) {
+const po_profile_table *po_abel_table(const po_scene *scene) {
   const po_profile_table *t = scene->profile.kind == &PO_TABLE ? scene->profile.table : NULL;
   return t && t->thin ? t->thin : t;
 }
 
 static po_abel table(const po_scene *scene, double x) {
-  const po_profile_table *t = table_of(scene);
+  const po_profile_table *t = po_abel_table(scene);
   rules rule;
   po_abel sum = {0.0, 0.0, 0.0};
   if (po_gauss_rule(POINTS, rule.node, rule.weight) ||
@@ -114,8 +111,8 @@ static po_abel table(const po_scene *scene, double x) {
   size_t k = 0;
   for (; k < last && x - t->r[k + 1] > AWAY * (t->r[k + 1] - t->r[k]); ++k)
     add_far_piece(t, &rule, x, k, &sum);
-  for (double outer = angle_of(t->r[k], x); k < last && t->r[k] < x; ++k) {
-    const double inner = t->r[k + 1] < x ? angle_of(t->r[k + 1], x) : 0.0;
+  for (double outer = po_abel_angle(t->r[k], x); k < last && t->r[k] < x; ++k) {
+    const double inner = t->r[k + 1] < x ? po_abel_angle(t->r[k + 1], x) : 0.0;
     add_piece(t, &rule, x, k, inner, outer, &sum);
     outer = inner;
   }
@@ -318,7 +315,7 @@ po_abel po_abel_at(const po_scene *scene, double x) {
 }
 
 double po_abel_fall(const po_scene *scene) {
-  const po_profile_table *t = table_of(scene);
+  const po_profile_table *t = po_abel_table(scene);
   double least = 0.0, most = 0.0; /* of (r f')'; times pi/2 they bound the rate of the transform */
   for (size_t k = 0; t && k + 1 < t->rows; ++k)
     widen(t, k, &least, &most);
@@ -326,12 +323,12 @@ double po_abel_fall(const po_scene *scene) {
 }
 
 double po_abel_greatest_drop(const po_scene *scene, double low, double high) {
-  const po_profile_table *t = table_of(scene);
+  const po_profile_table *t = po_abel_table(scene);
   return t && !po_scene_is_wavy(scene) ? greatest_drop(t, high, high - low) : INFINITY;
 }
 
 double po_abel_greatest_rate(const po_scene *scene, double x) {
-  const po_profile_table *t = table_of(scene);
+  const po_profile_table *t = po_abel_table(scene);
   double sum = t ? greatest_rate(t, x) : po_abel_of_profile(scene, x).rate;
   if (x > po_profile_shape(&scene->profile).kink)
     sum = INFINITY; /* the rate may fall beyond a kink */
@@ -387,134 +384,7 @@ double po_abel_detail(const po_scene *scene, double x) {
   double detail = PART_OF_RADIUS * x;
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
     detail = fmin(detail, PART_OF_WAVE * po_scene_wave(scene, k).length);
-  const po_profile_table *t = table_of(scene);
+  const po_profile_table *t = po_abel_table(scene);
   const size_t row = t ? po_order_last_up_to(t->r, t->rows, x) : 0;
   return t && row + 1 < t->rows ? fmin(detail, t->r[row + 1] - t->r[row]) : detail;
-}
-
-/* -- Integrals over the transform -- */
-
-/* Points of the rule in a piece. */
-enum { PIECE_POINTS = 16 };
-static const double MOST_PIECES = 1e6;
-/* Near the axis g is a power of x, so that pieces grow from the axis: the first is the part
- * FIRST_PIECE of the whole, each further one ends at PIECE_GROWTH times its beginning, or after
- * PIECE_OF_WAVE of a wave. */
-static const double PIECE_GROWTH = 4.0, FIRST_PIECE = 1e-5, PIECE_OF_WAVE = 0.5;
-
-typedef struct {
-  const po_scene *scene;
-  po_profile profile; /* on the knots of the transform */
-  po_abel_integrand f;
-  const void *data;
-  bool to_edge; /* with the weight 1/sqrt(to^2 - x^2) */
-  double to;
-  double node[PIECE_POINTS], weight[PIECE_POINTS];
-} integral;
-
-/* The end of the piece that begins at x. */
-static double piece_end(const integral *q, double x) {
-  double end = fmin(q->to, fmax(PIECE_GROWTH * x, FIRST_PIECE * q->to));
-  end = fmin(end, po_profile_next_joint(&q->profile, x));
-  for (size_t k = 0; k < po_scene_waves(q->scene); ++k)
-    end = fmin(end, x + PIECE_OF_WAVE * po_scene_wave(q->scene, k).length);
-  return end;
-}
-
-/* Beyond a kink or a row g is smooth in the square root of the distance from it, in which the rule
- * is applied. The weight goes by the angle arccos(x/to). */
-static double piece(const integral *q, double from, double to) {
-  const double first = q->to_edge ? angle_of(from, q->to) : from,
-               whole = (q->to_edge ? angle_of(to, q->to) : to) - first;
-  double sum = 0.0;
-  for (int i = 0; i < PIECE_POINTS; ++i) {
-    const double v = q->node[i], place = first + whole * v * v;
-    const double x = fmin(fmax(q->to_edge ? q->to * po_cos(place) : place, from), to);
-    sum += q->weight[i] * 2.0 * v * fabs(whole) * q->f(x, po_abel_at(q->scene, x), q->data);
-  }
-  return sum;
-}
-
-double po_abel_integral(const po_scene *scene, double from, double to, bool to_edge,
-                        po_abel_integrand f, const void *data) {
-  integral q = {.scene = scene,
-                .profile = scene->profile,
-                .f = f,
-                .data = data,
-                .to_edge = to_edge,
-                .to = to};
-  q.profile.table = table_of(scene);
-  if (!(from < to))
-    return from == to ? 0.0 : NAN;
-  if (po_gauss_rule(PIECE_POINTS, q.node, q.weight))
-    return NAN;
-  double sum = 0.0, pieces = 0.0;
-  for (double x = from; x < to;) {
-    const double end = piece_end(&q, x);
-    if (!(end > x) || ++pieces > MOST_PIECES || po_deadline_check())
-      return NAN;
-    sum += piece(&q, x, end);
-    x = end;
-  }
-  return sum;
-}
-
-static double less(double x, po_abel t, const void *data) {
-  (void)x;
-  return t.g - *(const double *)data;
-}
-
-/* The beginning of the piece below a that ends at x: pieces lie between the joints, are not longer
- * than their distance from a, and the one at a is not longer than the ring, from a to c. */
-static double piece_begin(const integral *q, double below, double a, double x) {
-  double begin = fmax(below, x < a ? x - (a - x) : a - (q->to - a));
-  for (size_t k = 0; k < po_scene_waves(q->scene); ++k)
-    begin = fmax(begin, x - PIECE_OF_WAVE * po_scene_wave(q->scene, k).length);
-  return fmax(begin, 0.0);
-}
-
-/* The integral of f'(s) atan(sqrt((c^2 - a^2)/(a^2 - s^2))) over a piece. In the square root of the
- * distance from its end the integrand is smooth at a, too. */
-static double opened_by(const integral *q, const po_scene *scene, double a, double from,
-                        double to) {
-  const double ring = sqrt((q->to - a) * (q->to + a));
-  double sum = 0.0;
-  for (int i = 0; i < PIECE_POINTS; ++i) {
-    const double v = q->node[i], s = to - (to - from) * v * v;
-    const double inside = sqrt((a - to + (to - from) * v * v) * (a + s));
-    sum += q->weight[i] * 2.0 * v * (to - from) * po_initial_gap_slope(scene, s) *
-           po_atan2(ring, inside);
-  }
-  return sum;
-}
-
-/* With g as the integral of f', the order of both integrals is changed. That of one radius s inside
- * is an arc tangent, that of one outside pi/2, so that no transform is needed. */
-static double opened(const integral *q, double a) {
-  po_scene scene = *q->scene;
-  scene.profile = q->profile;
-  const po_profile_table *t = q->profile.table;
-  double sum = M_PI_2 * (po_initial_gap(&scene, q->to) - po_initial_gap(&scene, a));
-  size_t row = po_order_last_up_to(t->r, t->rows, a);
-  for (double to = a, from; to > 0.0; to = from) {
-    if (t->r[row] == to)
-      --row;
-    from = piece_begin(q, t->r[row], a, to);
-    sum += opened_by(q, &scene, a, from, to);
-  }
-  return sum;
-}
-
-double po_abel_opening(const po_scene *scene, double a, double approach, double c) {
-  integral q = {.scene = scene, .profile = scene->profile, .to = c};
-  q.profile.table = table_of(scene);
-  if (!q.profile.table || !(a > 0.0) || !(piece_end(&q, a) < c))
-    return po_abel_integral(scene, a, c, true, less, &approach);
-  if (po_gauss_rule(PIECE_POINTS, q.node, q.weight) || po_deadline_check())
-    return NAN;
-  return opened(&q, a) - approach * angle_of(a, c);
-}
-
-double po_abel_gap(const po_scene *scene, double a, double approach, double r) {
-  return M_2_PI * po_abel_opening(scene, a, approach, r);
 }

@@ -43,7 +43,13 @@ double po_abel_detail(const po_scene *scene, double x);
 /* The longest wavelength; 0 without waves. */
 double po_abel_longest_wave(const po_scene *scene);
 
-/* -- Integrals over the transform -- */
+/* The table of the profile, on fewer knots if it has them; NULL: it is none. */
+const struct po_profile_table *po_abel_table(const po_scene *scene);
+
+/* The angle arccos(r/x), 0 < r <= x. */
+double po_abel_angle(double r, double x);
+
+/* -- Integrals over the transform (po_abel_integral.c) -- */
 
 /* The integrand at x, with the transform there. */
 typedef double (*po_abel_integrand)(double x, po_abel t, const void *data);
