@@ -35,6 +35,7 @@ def test_smooth_sphere(tabor, forces, tolerance):
                                          else "the bodies are rigid") for name in NAMES[7:])
 
 
+@pytest.mark.once
 def test_theories_that_must_agree():
     # JKR of the profile with its waves, Eq 5 after a hard preload, Maugis-Dugdale at a large tension (the law of a short
     # range), and the envelope where many waves are in contact

@@ -431,6 +431,7 @@ def test_the_profile_at_a_load():
                for point in ours["physical"]["curve"])
 
 
+@pytest.mark.once
 def test_a_parabola_is_no_sphere_in_a_wide_contact():
     # The contact radius was 61 nm at a radius of 45 nm, and the force, 10.60 nN, stood there without a word.
     soft = "--from-physical --modulus-pa 1.58e6 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 45e-9 --tolerance 1e-4"

@@ -79,6 +79,7 @@ def test_the_times_of_the_rounds():
     assert '"interleaved": false' in pathlib.Path("run/solvers/slow_failure/timed/record.json").read_text()
 
 
+@pytest.mark.once
 def test_a_long_solve_is_not_repeated():
     """The process is ended, and the time is that of the one solve."""
     timed("long")

@@ -1,9 +1,9 @@
-/* The tests of a file as a program: TEST, LOOP_TEST and TABLE_TEST begin a test like the head of a
- * function, and main runs all of them; the exit status says whether all passed. The environment
- * variable RUN_TESTS names those that are run, separated by blanks (default: all; a name that no
- * test has is an error). With RUN_FEW, those with more than four rounds are run for the first, the
- * middle and the last _i: for builds in which tests are slow, and in which only the lines count
- * that are run. */
+/* The tests of a file as a program: TEST, LOOP_TEST, TABLE_TEST and LONG_TEST begin a test like the
+ * head of a function, and main runs all of them; the exit status says whether all passed. The
+ * environment variable RUN_TESTS names those that are run, separated by blanks (default: all; a
+ * name that no test has is an error). With RUN_FEW, those with more than four rounds are run for
+ * the first, the middle and the last _i, and the long ones, whose lines others run, are not: for
+ * builds in which tests are slow, and in which only the lines count that are run. */
 #ifndef RUN_H
 #define RUN_H
 
@@ -39,6 +39,7 @@ static void add_test(const TTest **test, const char *name, int begin, int end) {
   START_TEST(NAME)
 #define TABLE_TEST(NAME, TABLE) LOOP_TEST(NAME, 0, (int)(sizeof TABLE / sizeof *TABLE))
 #define TEST(NAME) LOOP_TEST(NAME, 0, 1)
+#define LONG_TEST(NAME) LOOP_TEST(NAME, 0, getenv("RUN_FEW") ? 0 : 1)
 
 /* Functions that are called before and after each test; NULL: none. */
 #define FIXTURE(BEFORE, AFTER)                                                                     \

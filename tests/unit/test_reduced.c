@@ -132,7 +132,7 @@ static void expect_ends_within(const po_loop *exact, const po_loop *reduced,
 }
 
 /* With the true range the surfaces jump at another approach than with any that is solved. */
-TEST(loops_are_those_of_the_true_range) {
+LONG_TEST(loops_are_those_of_the_true_range) {
   po_request request = request_of(300.0, 1e5, 50.0, 6000.0);
   request.want = PO_WANT_HYSTERESIS;
   request.range = PO_RANGE_EXACT;
@@ -180,7 +180,8 @@ static void expect_same_step(const po_step *a, const po_step *b) {
                 1e-4);
   expect_number(a->preload.approach, a->preload_error.approach, b->preload.approach,
                 b->preload_error.approach, 0.02);
-  expect_number(a->preload.load, a->preload_error.load, b->preload.load, b->preload_error.load, 0.3);
+  expect_number(a->preload.load, a->preload_error.load, b->preload.load, b->preload_error.load,
+                0.3);
   ck_assert_uint_eq(b->cycle_count, a->cycle_count);
   for (size_t c = 0; c < a->cycle_count; ++c) {
     const po_cycle *one = &a->cycle[c], *other = &b->cycle[c];
@@ -270,7 +271,7 @@ static po_request with_a_crest(double preload) {
 
 /* With the true range loading is reversed before the crest touches; with greater ones after it,
  * where the pull-off force is eighty times as great. */
-TEST(a_jump_that_the_true_range_does_not_make_is_not_made) {
+LONG_TEST(a_jump_that_the_true_range_does_not_make_is_not_made) {
   po_request request = with_a_crest(1.6976527);
   po_result exact, reduced;
   request.range = PO_RANGE_REDUCED;
@@ -352,7 +353,7 @@ TEST(takes_few_points) {
 /* The greatest range makes a jump before the preload that smaller ones do not, so that two traces
  * have other pull-offs. They agree all the same: the pull-off of the second is a minimum of the
  * first. With a third trace the scene takes 9,000 points. */
-TEST(two_traces_agree_on_a_minimum_before_a_jump) {
+LONG_TEST(two_traces_agree_on_a_minimum_before_a_jump) {
   po_request request = request_of(112.040442, 572863.323, 55.8582041, 3015.27947);
   request.range = PO_RANGE_REDUCED;
   po_result o = solved_after(request, 0.159941631);
@@ -374,7 +375,7 @@ TEST(the_deepest_minimum_is_that_of_the_true_range) {
 
 /* The contact edges of this scene are not so narrow that greater ranges are chosen, but its trace
  * takes 3,100 points; it has the force 5.483464565 +- 2.5e-8. */
-TEST(a_long_trace_gives_way_to_greater_ranges) {
+LONG_TEST(a_long_trace_gives_way_to_greater_ranges) {
   po_request request = request_of(49.4742, 50710.4, 27.2957, 862.874);
   request.preload.load = 2.5;
   po_result taken;
