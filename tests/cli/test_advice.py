@@ -62,3 +62,11 @@ def test_advice_helps(scene, message, all_followed):
     expect(2 if "expected less" in message or "rows" in message else 3, message, f"solve {scene}")
     for followed in () if "RUN_FEW" in os.environ else all_followed:  # under the sanitizers other tests run what succeeds
         assert "pull-off force" in expect(0, "", f"solve {followed}").out
+
+
+@pytest.mark.parametrize("scene", ["--tabor 3", "--from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7"])
+def test_errors_of_a_fixed_mesh_are_not_estimated(scene):
+    """A force of a coarse mesh, here 20 % too great, does not stand there without a word."""
+    said = expect(0, None, f"solve {scene} --scheme triangle --nodes 51").out
+    assert said.count("\nerrors   not estimated with the scheme triangle; expected panel\n") == 1
+    assert "not estimated" not in expect(0, None, f"solve {scene}").out

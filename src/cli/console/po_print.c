@@ -72,7 +72,7 @@ static void print_ended(const po_result *o) {
          WHY[o->ended.cause]);
 }
 
-static void print_pull_off(const po_result *o) {
+static void print_pull_off(const po_request *request, const po_result *o) {
   if (!o->has_pull_off)
     return;
   printf("pull-off force %.10g at approach %.10g, contact radius %.8g", o->pull_off.force,
@@ -84,6 +84,9 @@ static void print_pull_off(const po_result *o) {
   if (isfinite(o->pull_off.force_error))
     printf("errors   force %.1e, approach %.1e, contact radius %.1e\n", o->pull_off.force_error,
            o->pull_off.approach_error, o->pull_off.contact_radius_error);
+  else if (request->mesh.scheme != PO_PANEL)
+    printf("errors   not estimated with the scheme %s; expected panel\n",
+           PO_SCHEMES[request->mesh.scheme]);
   if (o->pull_off.excess > 1.0)
     printf("warning  the error of the force is %.2g times the tolerance: expected a larger "
            "tolerance%s\n",
@@ -381,7 +384,7 @@ void po_print_summary(const po_request *request, const po_result *result) {
   printf("status   %s%s%s\n", po_status_name(result->status),
          result->rigid ? ", solved as rigid" : "",
          result->has_pull_off ? "" : ", no pull-off found");
-  print_pull_off(result);
+  print_pull_off(request, result);
   print_range(result);
   print_parabola(request, result);
 }
