@@ -121,6 +121,31 @@ TABLE_TEST(error_of_energy_of_waves_far_out_is_stated, WAVY) {
                 tight = first_jump_at_load(&scene, b->stiffness, 1e-7);
   compare("energy lost", loose.energy_lost, tight.energy_lost,
           loose.energy_lost_error + tight.energy_lost_error);
+  /* and not much larger: what is added up are small differences of large numbers */
+  ck_assert_double_le(loose.energy_lost_error, 5.0 * fabs(loose.energy_lost - tight.energy_lost));
+}
+
+/* Energies are of the second order, and the polynomials of two panels nearly meet: of the order of
+ * 1e-8 at a tolerance of 1e-4. */
+TEST(errors_of_energies_of_a_cone_are_small) {
+  po_request request = po_request_default();
+  request.scene.radius = 1.0;
+  request.scene.tabor = pow(0.0228548, 2.0 / 3.0);
+  ck_assert(po_profile_set(&request.scene.profile, "cone:0.0752"));
+  ck_assert(po_law_set(&request.scene.law, "mie:5.779,11.34"));
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = 1e-4;
+  request.want = PO_WANT_CURVE;
+  po_result o = {0};
+  ck_assert_msg(po_solve(&request, &o) == PO_OK, "%s", o.reason);
+  double greatest = 0.0, error = 0.0;
+  for (size_t k = 0; k < o.curve_count; ++k) {
+    greatest = fmax(greatest, fabs(o.curve[k].energy));
+    error = fmax(error, o.curve[k].energy_error);
+  }
+  ck_assert_double_gt(error, 1e-10 * greatest);
+  ck_assert_double_le(error, 1e-7 * greatest);
+  po_result_clear(&o);
 }
 
 static const double APPROACH = -3.0;
